@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+/// What the subcommands share.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "freshet/scene.h"
+
+namespace freshet::cli {
+
+enum ExitCode { done = 0, failed = 1, usage = 2, interrupted = 130 };
+
+/// The scene of a command with what is changed in it.
+struct SceneArguments {
+  std::string name;
+  std::vector<std::string> set;  // KEY=VALUE
+  std::string backend;
+  int threads = 0;
+
+  void add_to(CLI::App& command);
+  Scene load() const;
+  std::vector<Override> overrides() const;
+};
+
+/// Each adds its subcommand to the program; the callback's exit code goes to `code`.
+void add_run(CLI::App& app, int& code, const std::vector<std::string>& command_line);
+void add_check(CLI::App& app, int& code);
+void add_info(CLI::App& app, int& code);
+void add_scenes(CLI::App& app, int& code);
+void add_bench(CLI::App& app, int& code);
+void add_schema(CLI::App& app, int& code);
+void add_completion(CLI::App& app, int& code);
+
+/// The file of a scene: a file of that name, else the scene that comes along under it.
+std::filesystem::path find_scene(const std::string& name);
+/// The scenes that come along, by name.
+std::vector<std::pair<std::string, std::filesystem::path>> scenes_that_come_along();
+
+void print_diagnostics(const std::vector<Diagnostic>& diagnostics);
+
+}  // namespace freshet::cli

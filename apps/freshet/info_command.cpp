@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "command.h"
+#include "freshet/derived.h"
+#include "freshet/simulation.h"
+#include "machine.h"
+#include "progress.h"
+
+namespace freshet::cli {
+namespace {
+
+/// The seconds that one step takes, measured over a fifth of a second of steps.
+double seconds_per_step(const Scene& scene) {
+  using Clock = std::chrono::steady_clock;
+  Simulation sim(scene);
+  const auto start = Clock::now();
+  double seconds = 0;
+  while (seconds < 0.2 && sim.steps_done() < scene.steps()) {
+    sim.step();
+    seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  return seconds / double(sim.steps_done());
+}
+
+void row(const char* name, const std::string& value) { fmt::print("  {:<24}{}\n", name, value); }
+
+std::string bound(double seconds) {
+  return std::isfinite(seconds) ? fmt::format("{:.3g} s", seconds) : "none";
+}
+
+void info(const SceneArguments& a) {
+  const Scene s = a.load();
+  const Derived d = derive(s);
+  fmt::print("{}\n", s.title.empty() ? a.name : s.title);
+  row("particles",
+      fmt::format("{:.0f} fluid, {} of them outside the domain", d.particles, d.outside));
+  row("spacing", fmt::format("{:g} m", d.spacing));
+  row("support radius",
+      fmt::format("{:g} m = {:.3g} spacings", d.support_radius, d.support_radius / d.spacing));
+  row("neighbours expected", fmt::format("{:.0f} in the resting lattice", d.neighbors));
+  row("lattice errors",
+      fmt::format("density {:+.1f} %{}, pressure gradient {:+.1f} %", 100 * d.density_error,
+                  s.particles.mass ? "" : " (divided out)", 100 * d.gradient_error));
+  row("mass", fmt::format("{:.6g} kg{}", d.mass, s.particles.mass ? " (given)" : ""));
+  row("density at rest",
+      fmt::format("{:.6g} kg/m² where the lattice is whole; rest density {:g} kg/m²",
+                  d.mass / (d.spacing * d.spacing) * (1 + d.density_error) / d.lattice_sum,
+                  d.rest_density));
+  row("speed of sound",
+      fmt::format("{:.4g} m/s (stiffness {:.4g} m²/s²)", d.sound_speed, d.stiffness));
+  row("time step", fmt::format("{:g} s; bounds: sound {}, gravity {}, viscosity {}", s.time.step,
+                               bound(d.acoustic_step), bound(d.force_step), bound(d.viscous_step)));
+  row("steps", fmt::format("{} for {:g} s", s.steps(), s.time.end));
+  const double per_step = seconds_per_step(s);
+  row("run time", fmt::format("about {:.2g} s on this machine ({:.3g} ms a step, measured)",
+                              per_step * double(s.steps()), 1e3 * per_step));
+  row("memory", fmt::format("{}B", short_number(peak_memory())));
+  const double picture = 3.0 * double(s.picture.width * s.picture.height);
+  row("disk", fmt::format("at most {}B for {} frames and the result",
+                          short_number(picture * double(d.frames + 1)), d.frames));
+  print_diagnostics(scene_warnings(s));
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, int& code) {
+  const auto a = std::make_shared<SceneArguments>();
+  CLI::App* command = app.add_subcommand("info", "What a scene amounts to, and what a run takes");
+  a->add_to(*command);
+  command->footer("Example:\n  freshet info article");
+  command->callback([a, &code] {
+    info(*a);
+    code = done;
+  });
+}
+
+}  // namespace freshet::cli

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace freshet::cli {
+namespace {
+
+/// Output that nobody reads any more is no reason to end a run.
+void put(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  std::fflush(stdout);
+}
+
+std::string duration(double seconds) {
+  if (!std::isfinite(seconds)) return "?";
+  const long s = std::lround(seconds);
+  return s < 60 ? fmt::format("{} s", s) : fmt::format("{}:{:02} min", s / 60, s % 60);
+}
+
+}  // namespace
+
+std::string short_number(double value) {
+  const char* unit = "";
+  for (const char* next : {" k", " M", " G", " T"}) {
+    if (std::abs(value) < 999.5) break;
+    value /= 1000;
+    unit = next;
+  }
+  return fmt::format("{:.3g}{}", value, unit);
+}
+
+Progress::Style Progress::choose(bool quiet, bool json) {
+  if (quiet) return Style::quiet;
+  if (json) return Style::json;
+  return isatty(STDOUT_FILENO) ? Style::bar : Style::lines;
+}
+
+void Progress::start(const Simulation& sim) {
+  const Scene& s = sim.scene();
+  say(fmt::format("{} particles, {} steps of {:g} s", sim.fluid().size(), s.steps(), s.time.step));
+  event(nlohmann::ordered_json{{"event", "start"},
+                               {"particles", sim.fluid().size()},
+                               {"steps", s.steps()},
+                               {"time_step", s.time.step}}
+            .dump());
+  begin_ = Clock::now();
+}
+
+/// A bar moves ten times a second; lines come at every tenth of the run, or after ten seconds.
+bool Progress::due(double done) {
+  const double quiet_for = std::chrono::duration<double>(Clock::now() - shown_at_).count();
+  if (style_ == Style::bar) return quiet_for > 0.1 || done >= 1;
+  if (style_ == Style::json) return quiet_for > 1 || done >= 1;
+  return std::floor(done * 10) > std::floor(shown_ * 10) || (quiet_for > 10 && shown_step_ >= 0);
+}
+
+void Progress::update(const Simulation& sim, double seconds) {
+  if (style_ == Style::quiet) return;
+  const double done = double(sim.steps_done()) / double(sim.scene().steps());
+  if (!due(done)) return;
+  show(sim, seconds);
+  shown_at_ = Clock::now();
+  shown_ = done;
+  shown_step_ = sim.steps_done();
+}
+
+void Progress::show(const Simulation& sim, double seconds) {
+  const double done = double(sim.steps_done()) / double(sim.scene().steps());
+  const double rate = double(sim.steps_done()) / std::max(seconds, 1e-9);
+  const double wall = std::chrono::duration<double>(Clock::now() - begin_).count();
+  const double eta = wall / done * (1 - done);
+  const Statistics s = sim.statistics();
+  const double particle_rate = rate * double(s.particles);
+  if (style_ == Style::json) {
+    event(nlohmann::ordered_json{{"event", "progress"},
+                                 {"step", sim.steps_done()},
+                                 {"time", sim.time()},
+                                 {"steps_per_second", rate},
+                                 {"particle_steps_per_second", particle_rate},
+                                 {"eta_seconds", eta},
+                                 {"kinetic_energy", s.kinetic_energy},
+                                 {"potential_energy", s.potential_energy}}
+              .dump());
+    return;
+  }
+  const std::string facts =
+      fmt::format("{:.4g} of {:.4g} s  {} steps/s  {} particle-steps/s  ETA {}  energy {:.4g} J",
+                  sim.time(), sim.scene().time.end, short_number(rate), short_number(particle_rate),
+                  duration(eta), s.kinetic_energy + s.potential_energy);
+  if (style_ == Style::lines) return put(fmt::format("{:3.0f} %  {}\n", 100 * done, facts));
+  const int width = 24, full = int(done * width);
+  std::string bar;
+  for (int k = 0; k < width; ++k) bar += k < full ? "█" : "░";
+  put(fmt::format("\r{} {:3.0f} %  {}\033[K", bar, 100 * done, facts));
+}
+
+void Progress::end() {
+  if (style_ == Style::bar && shown_step_ >= 0) put("\n");
+}
+
+void Progress::say(const std::string& line) const {
+  if (style_ == Style::bar || style_ == Style::lines) put(line + "\n");
+}
+
+void Progress::event(const std::string& json) const {
+  if (style_ == Style::json) put(json + "\n");
+}
+
+}  // namespace freshet::cli

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <chrono>
+#include <string>
+
+#include "freshet/simulation.h"
+
+namespace freshet::cli {
+
+/// Tells how a run goes: a bar on a terminal, lines in a pipe, JSON lines, or nothing.
+class Progress {
+ public:
+  enum class Style { bar, lines, json, quiet };
+  explicit Progress(Style style) : style_(style) {}
+  static Style choose(bool quiet, bool json);
+
+  void start(const Simulation& sim);
+  void update(const Simulation& sim, double seconds);
+  /// Ends the bar's line.
+  void end();
+  /// A line of words, not shown where only JSON or nothing is.
+  void say(const std::string& line) const;
+  void event(const std::string& json) const;
+  Style style() const { return style_; }
+
+ private:
+  bool due(double done);
+  void show(const Simulation& sim, double seconds);
+  using Clock = std::chrono::steady_clock;
+
+  Style style_;
+  Clock::time_point begin_ = Clock::now(), shown_at_{};
+  double shown_ = 0;  // the share of the run
+  std::int64_t shown_step_ = -1;
+};
+
+/// 1234567 -> "1.23 M"
+std::string short_number(double value);
+
+}  // namespace freshet::cli

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <atomic>
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "freshet/run.h"
+#include "progress.h"
+
+namespace freshet::cli {
+namespace {
+
+std::atomic<bool> stop_asked{false};
+
+/// The first Ctrl-C ends the run after its step; a second one kills it.
+void catch_interrupts() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { stop_asked = true; };
+  action.sa_flags = int(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+struct RunArguments {
+  SceneArguments scene;
+  std::string output, log = "text", video;
+  double fps = 30;
+  bool overwrite = false, quiet = false;
+};
+
+std::string check_words(const Report& r, const std::string& name, double scale = 1) {
+  for (const CheckResult& c : r.checks)
+    if (c.name == name)
+      return fmt::format("{} {:g}  {}", c.relation, scale * c.bound, c.passed ? "ok" : "FAILED");
+  return "";
+}
+
+/// The report as a table, with the scene's checks beside their values.
+std::string table(const Report& r) {
+  const Statistics& s = r.statistics;
+  std::string out;
+  const auto row = [&](const char* name, const std::string& value, const std::string& check = "") {
+    const std::string line = fmt::format("  {:<22}{:<26}{}", name, value, check);
+    out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  };
+  row("out of bounds", fmt::format("{} of {}", s.out_of_bounds, s.particles),
+      check_words(r, "out of bounds"));
+  row("density mean", fmt::format("{:.5f} kg/m²", s.density_mean), check_words(r, "density mean"));
+  row("density min, max", fmt::format("{:.5f}, {:.5f}", s.density_min, s.density_max));
+  row("speed mean", fmt::format("{:.6f} m/s", s.speed_mean), check_words(r, "speed mean"));
+  row("speed max", fmt::format("{:.6f} m/s", s.speed_max));
+  row("height mean", fmt::format("{:.6f} m", s.height_mean), check_words(r, "height mean"));
+  row("bright pixels",
+      fmt::format("{} ({:.1f} %)", r.picture.bright, 100 * r.picture.bright_fraction()),
+      check_words(r, "bright fraction", 100));
+  row("bottom third", fmt::format("{} pixels", r.picture.bottom_third));
+  return out;
+}
+
+int finish(const Report& r, const std::filesystem::path& output, const Progress& progress) {
+  const bool cut = r.state == Report::State::interrupted;
+  progress.say(fmt::format(
+      "{}{} steps, {:.4g} s simulated in {:.3g} s: {} particle-steps/s\n{}"
+      "wrote {}",
+      cut ? "interrupted after " : "", r.steps, r.time, r.seconds,
+      short_number(r.particle_steps_per_second()), table(r), (output / "result.png").string()));
+  progress.event(nlohmann::ordered_json{{"event", cut ? "interrupted" : "done"},
+                                        {"steps", r.steps},
+                                        {"seconds", r.seconds},
+                                        {"output", output.string()},
+                                        {"state_sha256", r.state_sha256}}
+                     .dump());
+  for (const CheckResult& c : r.checks)
+    if (!c.passed && !cut)
+      fmt::print(stderr, "error: check failed: {} is {:g}, and must be {} {:g}\n", c.name, c.value,
+                 c.relation, c.bound);
+  return cut ? interrupted : r.state == Report::State::check_failed ? failed : done;
+}
+
+int run_scene(const RunArguments& a, const std::vector<std::string>& command_line) {
+  const Scene scene = a.scene.load();
+  const std::filesystem::path file = find_scene(a.scene.name);
+  RunOptions options;
+  options.scene_name = file == a.scene.name ? file.stem().string() : a.scene.name;
+  options.output = a.output.empty() ? "runs/" + options.scene_name : a.output;
+  options.overwrite = a.overwrite;
+  options.command = command_line;
+  if (!a.video.empty()) options.video = VideoOptions{a.video, a.fps};
+  Progress progress(Progress::choose(a.quiet, a.log == "json"));
+  bool started = false;
+  options.after_step = [&](const Simulation& sim, double seconds) {
+    if (!std::exchange(started, true)) progress.start(sim);
+    progress.update(sim, seconds);
+    return !stop_asked;
+  };
+  if (!a.quiet) print_diagnostics(scene_warnings(scene));
+  catch_interrupts();
+  try {
+    const Report report = run(scene, options);
+    progress.end();
+    return finish(report, options.output, progress);
+  } catch (const Error&) {
+    progress.end();
+    throw;
+  }
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& code, const std::vector<std::string>& command_line) {
+  const auto a = std::make_shared<RunArguments>();
+  CLI::App* run = app.add_subcommand("run", "Run a scene into a folder of pictures and numbers");
+  a->scene.add_to(*run);
+  run->add_option("--output", a->output, "the folder (default: runs/SCENE)");
+  run->add_flag("--overwrite", a->overwrite, "replace the run that the folder holds");
+  run->add_flag("--quiet", a->quiet, "say nothing but errors");
+  run->add_option("--log", a->log, "text, or json: a JSON object a line")
+      ->check(CLI::IsMember({"text", "json"}));
+  run->add_option("--video", a->video, "make a film, FILE.mp4 or FILE.gif (needs ffmpeg)");
+  run->add_option("--fps", a->fps, "the film's pictures per simulated second (default: 30)")
+      ->check(CLI::Range(0.001, 1e6));
+  run->footer("Example:\n  freshet run article --output runs/article --video water.mp4");
+  run->callback([a, &code, command_line] { code = run_scene(*a, command_line); });
+}
+
+}  // namespace freshet::cli

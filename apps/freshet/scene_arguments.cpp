@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "command.h"
+
+namespace freshet::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Installed beside the program (share/freshet/scenes), or in the sources of a build tree.
+std::vector<fs::path> scene_folders() {
+  std::error_code ec;
+  const fs::path bin = fs::read_symlink("/proc/self/exe", ec).parent_path();
+  return {bin / "../share/freshet/scenes", bin / "../../../scenes"};
+}
+
+}  // namespace
+
+void SceneArguments::add_to(CLI::App& command) {
+  command.add_option("SCENE", name, "a scene file, or the name of one that comes along")
+      ->required();
+  command.add_option("--set", set, "KEY=VALUE: change a key of the scene (TOML, else a string)")
+      ->take_all()
+      ->allow_extra_args(false);
+  command.add_option("--backend", backend, "what computes")->check(CLI::IsMember({"reference"}));
+  command.add_option("--threads", threads, "threads (the reference backend has one)")
+      ->check(CLI::Range(1, 4096));
+}
+
+std::vector<Override> SceneArguments::overrides() const {
+  std::vector<Override> all;
+  for (const std::string& pair : set) {
+    const auto equals = pair.find('=');
+    if (equals == std::string::npos)
+      throw Error(Error::Kind::scene, "--set " + pair, "write KEY=VALUE, for example time.end=1");
+    all.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
+  }
+  if (!backend.empty()) all.emplace_back("solver.backend", fmt::format("\"{}\"", backend));
+  return all;
+}
+
+Scene SceneArguments::load() const { return load_scene(find_scene(name), overrides()); }
+
+std::vector<std::pair<std::string, fs::path>> scenes_that_come_along() {
+  std::vector<std::pair<std::string, fs::path>> all;
+  for (const fs::path& folder : scene_folders()) {
+    std::error_code ec;
+    for (const auto& entry : fs::recursive_directory_iterator(folder, ec))
+      if (entry.path().extension() == ".toml") {
+        const fs::path name = fs::relative(entry.path(), folder).replace_extension();
+        all.emplace_back(name.string(), fs::weakly_canonical(entry.path()));
+      }
+    if (!all.empty()) break;
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+fs::path find_scene(const std::string& name) {
+  std::error_code ec;
+  if (fs::is_regular_file(name, ec)) return name;
+  std::string known;
+  for (const auto& [scene, file] : scenes_that_come_along()) {
+    if (scene == name) return file;
+    known += (known.empty() ? "" : ", ") + scene;
+  }
+  if (fs::exists(name, ec)) return name;  // a folder, say: loading it tells what is wrong
+  throw Error(
+      Error::Kind::scene, name,
+      fmt::format("no such file, and no scene of that name comes along ({}); check the path",
+                  known));
+}
+
+void print_diagnostics(const std::vector<Diagnostic>& diagnostics) {
+  for (const Diagnostic& d : diagnostics) fmt::print(stderr, "{}\n", d.text());
+}
+
+}  // namespace freshet::cli

@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: MIT
+# Writes the commit into a header, at build time, and only when it changed.
+execute_process(COMMAND git -C ${SOURCE} rev-parse --short=12 HEAD OUTPUT_VARIABLE commit
+                OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE code)
+if(NOT code EQUAL 0)
+  set(commit "unknown")
+else()
+  execute_process(COMMAND git -C ${SOURCE} status --porcelain --untracked-files=no OUTPUT_VARIABLE changes)
+  if(changes)
+    string(APPEND commit "+changes")
+  endif()
+endif()
+set(text "// SPDX-License-Identifier: MIT\n#pragma once\n#define FRESHET_COMMIT \"${commit}\"\n")
+set(old "")
+if(EXISTS ${HEADER})
+  file(READ ${HEADER} old)
+endif()
+if(NOT text STREQUAL old)
+  file(WRITE ${HEADER} "${text}")
+endif()

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+# Flags of everything that we compile. Contraction is off everywhere: the same bits on every machine.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+
+add_library(freshet_flags INTERFACE)
+target_compile_options(freshet_flags INTERFACE -Wall -Wextra -Wpedantic -Werror
+                                               -ffp-contract=off -fno-math-errno)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # g++ 12 sees overlaps and overflows inside std and fmt
+  target_compile_options(freshet_flags INTERFACE -Wshadow=local -Wno-restrict -Wno-stringop-overflow
+                                                 -Wno-maybe-uninitialized)
+endif()
+target_include_directories(freshet_flags INTERFACE ${PROJECT_SOURCE_DIR}/src
+                                                   ${PROJECT_SOURCE_DIR}/include
+                                                   ${PROJECT_BINARY_DIR}/include)
+if(FRESHET_DOUBLE)
+  target_compile_definitions(freshet_flags INTERFACE FRESHET_DOUBLE)
+endif()
+if(FRESHET_SANITIZE)
+  target_compile_options(freshet_flags INTERFACE -fsanitize=${FRESHET_SANITIZE} -g
+                                                 -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(freshet_flags INTERFACE -fsanitize=${FRESHET_SANITIZE})
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "freshet/scene.h"
+
+namespace freshet {
+
+/// Numbers that follow from a scene. SI units.
+struct Derived {
+  double particles;      ///< a double, so that absurd scenes do not overflow
+  std::int64_t outside;  ///< particles that start outside the domain
+  std::int64_t frames;   ///< pictures that a run writes, the result not counted
+  double support_radius, spacing;
+  double rest_density, viscosity;
+  double mass;            ///< rest_density · spacing^D, or as given (scheme article)
+  double lattice_sum;     ///< what density sums are divided by; 1 where the mass is given
+  double density_error;   ///< of Poly6's sum over the resting lattice, before that division
+  double gradient_error;  ///< of Spiky's gradient of a linear field on the lattice
+  double neighbors;       ///< in the resting lattice, the particle itself not counted
+  double stiffness, sound_speed;
+  double acoustic_step;  ///< upper bound of the time step [s]: 0.4 h/c
+  double force_step;     ///< 0.25 √(h/|g|)
+  double viscous_step;   ///< 0.125 h² ρ0/μ, all with h half the support [Monaghan 1992, 2005]
+
+  /// The least of the three bounds, and its name.
+  double step_bound() const;
+  const char* step_bound_name() const;
+};
+
+/// Throws Error (kind scene) where check_scene would. Samples the fluid once.
+Derived derive(const Scene& scene);
+
+}  // namespace freshet

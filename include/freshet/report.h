@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace freshet {
+
+/// What one verb of a solver has cost so far.
+struct VerbTiming {
+  std::string name;
+  std::int64_t calls = 0;
+  double seconds = 0;
+  std::int64_t targets = 0;  ///< particles, summed over the calls
+};
+
+/// The state in a few numbers. Density is that of the last step's start. SI units.
+struct Statistics {
+  std::int64_t particles = 0;
+  std::int64_t out_of_bounds = 0;  ///< further than a support radius outside the domain, or NaN
+  double density_mean = 0, density_min = 0, density_max = 0;
+  double speed_mean = 0, speed_max = 0;
+  double height_mean = 0;                           ///< mean of y
+  double kinetic_energy = 0, potential_energy = 0;  ///< [J]; potential zero at the origin
+  double momentum_x = 0, momentum_y = 0;            ///< [kg m/s]
+};
+
+/// What the result's picture holds.
+struct PictureStatistics {
+  std::int64_t pixels = 0;
+  std::int64_t bright = 0;        ///< R > 50 or G > 30
+  std::int64_t bottom_third = 0;  ///< pixels of the lowest third that differ from the background
+  double bright_fraction() const { return pixels ? double(bright) / double(pixels) : 0; }
+};
+
+/// One of a scene's checks: `value` against `bound`.
+struct CheckResult {
+  std::string name, relation;  ///< relation: "<=", "<" or ">"
+  double value = 0, bound = 0;
+  bool passed = false;
+};
+
+/// How a run ended, and all that report.json holds.
+struct Report {
+  enum class State { done, interrupted, check_failed };
+  State state = State::done;
+  std::string scene, title, backend, solver;
+  std::int64_t steps = 0;
+  double time = 0, seconds = 0;  ///< simulated, and taken by the steps (pictures not counted)
+  Statistics statistics;
+  PictureStatistics picture;
+  std::vector<CheckResult> checks;
+  std::vector<VerbTiming> verbs;
+  std::string state_sha256, kept_sha256;
+
+  double steps_per_second() const { return seconds > 0 ? double(steps) / seconds : 0; }
+  double particle_steps_per_second() const {
+    return steps_per_second() * double(statistics.particles);
+  }
+};
+
+/// report.json.
+std::string to_json(const Report& report);
+
+}  // namespace freshet

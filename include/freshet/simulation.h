@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "freshet/real.h"
+#include "freshet/report.h"
+#include "freshet/scene.h"
+
+namespace freshet {
+
+/// A read-only view of the fluid, valid until the next step. `dimension` numbers a particle in x
+/// and v; every array has the same order.
+struct ParticleView {
+  int dimension = 2;
+  std::span<const std::uint64_t> id;
+  std::span<const Real> x, v;     ///< position [m], velocity [m/s]
+  std::span<const Real> density;  ///< [kg/m^D], as computed in the last step
+  std::size_t size() const { return id.size(); }
+};
+
+/// A simulation in memory: no file is touched, nothing is printed.
+class Simulation {
+ public:
+  /// Samples the scene's fluid. Throws Error (kind scene) where check_scene would.
+  explicit Simulation(Scene scene);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  /// One time step. Throws Error (kind run) when a particle's position is no longer a number, which
+  /// is looked for every hundredth step; the message names the particle and the likeliest cause.
+  void step();
+
+  const Scene& scene() const;
+  std::int64_t steps_done() const;
+  double time() const;  ///< steps_done · time.step [s]
+  ParticleView fluid() const;
+  Statistics statistics() const;
+  const std::vector<VerbTiming>& timings() const;
+
+  /// SHA-256 over steps_done (u64), then id (u64), x and v of each particle in id order,
+  /// little-endian: equal states have equal sums.
+  std::string state_sha256() const;
+  /// SHA-256 over the kept fields (what a restart needs), in the order of their names.
+  std::string kept_sha256() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace freshet

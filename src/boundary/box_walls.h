@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "core/vec.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+/// The sides of a box as a collision: a particle that left is pushed back and its normal velocity
+/// turned, v_n -> -restitution v_n [Mueller 2003, section 5: "push them out ... and reflect"].
+/// restitution e keeps e^2 of the normal kinetic energy: 0.5 loses 75 %.
+///
+///   min, max     corners of the box [m];   restitution  0 to 1
+///   onto_wall    true: the particle is put onto the wall, and turned whichever way it flew (the
+///                article's clamp-and-reflect); false: mirrored at it, and turned only if outbound
+template <int D> struct BoxWalls {
+  Vec<D> min, max;
+  Real restitution;
+  bool onto_wall;
+
+  FRESHET_HD void operator()(Vec<D>& x, Vec<D>& v) const {
+    for (int k = 0; k < D; ++k) {
+      Vec<D> low = min, high = max;
+      side(component(x, k), component(v, k), component(low, k), Real(1));
+      side(component(x, k), component(v, k), component(high, k), Real(-1));
+    }
+  }
+
+ private:
+  /// The wall at `wall`, whose inside lies towards `inward` (+1 or -1).
+  FRESHET_HD void side(Real& x, Real& v, Real wall, Real inward) const {
+    if (!((x - wall) * inward < 0)) return;  // a NaN stays a NaN
+    const Real back = wall + restitution * (wall - x);
+    x = onto_wall ? wall : back;
+    if (onto_wall || v * inward < 0) v *= -restitution;
+  }
+};
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

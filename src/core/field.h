@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+
+#include "core/vec.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+/// One value per particle. A view: the backend owns the memory.
+template <class T> struct Field {
+  T* data = nullptr;
+  FRESHET_HD T& operator[](int i) const { return data[i]; }
+};
+
+/// A field is kept (it survives sorting and restart and counts in kept_sha256) or scratch.
+enum class Keep { kept, scratch };
+
+/// The fields that every set of moving particles has. SI units.
+template <int D> struct Particles {
+  int n = 0;
+  Field<std::uint64_t> id;  ///< kept; never reused
+  Field<Vec<D>> x, v;       ///< kept: position [m], velocity [m/s]
+};
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

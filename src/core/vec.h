@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+/// Small vectors in 2D and 3D, and what a pair term is given of a pair of particles.
+#pragma once
+#include <type_traits>
+
+#include "core/portable.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+template <int D, class R = Real> struct Vec;
+template <class R> struct Vec<2, R> { R x, y; };
+template <class R> struct Vec<3, R> { R x, y, z; };
+
+struct Plus {
+  template <class R> FRESHET_HD R operator()(R a, R b) const { return a + b; }
+};
+struct Minus {
+  template <class R> FRESHET_HD R operator()(R a, R b) const { return a - b; }
+};
+template <class R> struct Times {
+  R s;
+  FRESHET_HD R operator()(R a, R) const { return a * s; }
+};
+template <class R> struct Over {
+  R s;
+  FRESHET_HD R operator()(R a, R) const { return a / s; }
+};
+
+/// f on each component; the one place that knows how many there are.
+template <int D, class R, class F> FRESHET_HD Vec<D, R> each(Vec<D, R> a, Vec<D, R> b, F f) {
+  if constexpr (D == 3) return {f(a.x, b.x), f(a.y, b.y), f(a.z, b.z)};
+  else return {f(a.x, b.x), f(a.y, b.y)};
+}
+template <int D, class R> FRESHET_HD Vec<D, R> operator+(Vec<D, R> a, Vec<D, R> b) {
+  return each(a, b, Plus{});
+}
+template <int D, class R> FRESHET_HD Vec<D, R> operator-(Vec<D, R> a, Vec<D, R> b) {
+  return each(a, b, Minus{});
+}
+template <int D, class R> FRESHET_HD Vec<D, R> operator*(std::type_identity_t<R> s, Vec<D, R> a) {
+  return each(a, a, Times<R>{s});
+}
+template <int D, class R> FRESHET_HD Vec<D, R> operator/(Vec<D, R> a, std::type_identity_t<R> s) {
+  return each(a, a, Over<R>{s});
+}
+template <int D, class R> FRESHET_HD Vec<D, R>& operator+=(Vec<D, R>& a, Vec<D, R> b) {
+  return a = a + b;
+}
+
+template <int D, class R> FRESHET_HD R dot(Vec<D, R> a, Vec<D, R> b) {
+  if constexpr (D == 3) return a.x * b.x + a.y * b.y + a.z * b.z;
+  else return a.x * b.x + a.y * b.y;
+}
+template <int D, class R> FRESHET_HD R norm2(Vec<D, R> a) { return dot(a, a); }
+template <int D, class R> FRESHET_HD R norm(Vec<D, R> a) { return sqrt(norm2(a)); }
+
+/// Component k of a, in scalar code that is not hot.
+template <int D, class R> FRESHET_HD R& component(Vec<D, R>& a, int k) {
+  if constexpr (D == 3) return k == 0 ? a.x : k == 1 ? a.y : a.z;
+  else return k == 0 ? a.x : a.y;
+}
+
+/// The pair (i, j). What a term does not use costs nothing.
+template <int D, class R> struct Pair {
+  Vec<D, R> x;  ///< x_ij = x_i - x_j  [m]
+  R r2, r;      ///< |x_ij|^2 [m^2], |x_ij| [m]
+  FRESHET_HD explicit Pair(Vec<D, R> x_ij) : x(x_ij), r2(norm2(x_ij)), r(sqrt(r2)) {}
+};
+
+/// At<R> of a term that reads positions only.
+template <class R> struct Nothing {};
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

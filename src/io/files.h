@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace freshet {
+
+/// Writes a whole file or none: beside it, synced, then renamed.
+/// Throws Error (kind run) with the path, the system's reason and a remedy; what stood there stays.
+void write_file(const std::filesystem::path& file, std::string_view bytes);
+
+/// Puts a finished file in the place of another, or throws as write_file does.
+void rename_file(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// Throws Error (kind run) that an operation on `path` failed for the reason in errno.
+[[noreturn]] void fail_file(const std::filesystem::path& path, const std::string& operation,
+                            int reason);
+
+}  // namespace freshet

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "freshet/report.h"
+#include "freshet/version.h"
+
+namespace freshet {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* word(Report::State state) {
+  switch (state) {
+    case Report::State::done:
+      return "done";
+    case Report::State::interrupted:
+      return "interrupted";
+    case Report::State::check_failed:
+      return "check failed";
+  }
+  return "";
+}
+
+Json json(const Statistics& s) {
+  return {{"particles", s.particles},
+          {"out_of_bounds", s.out_of_bounds},
+          {"density", {{"mean", s.density_mean}, {"min", s.density_min}, {"max", s.density_max}}},
+          {"speed", {{"mean", s.speed_mean}, {"max", s.speed_max}}},
+          {"height_mean", s.height_mean},
+          {"kinetic_energy", s.kinetic_energy},
+          {"potential_energy", s.potential_energy},
+          {"momentum", {s.momentum_x, s.momentum_y}}};
+}
+
+}  // namespace
+
+std::string to_json(const Report& r) {
+  Json checks = Json::array(), verbs = Json::array();
+  for (const CheckResult& c : r.checks)
+    checks.push_back({{"name", c.name},
+                      {"value", c.value},
+                      {"relation", c.relation},
+                      {"bound", c.bound},
+                      {"passed", c.passed}});
+  for (const VerbTiming& v : r.verbs)
+    verbs.push_back({{"name", v.name},
+                     {"calls", v.calls},
+                     {"seconds", v.seconds},
+                     {"ns_per_particle", v.targets ? 1e9 * v.seconds / double(v.targets) : 0}});
+  const Json all{{"freshet", FRESHET_VERSION},
+                 {"state", word(r.state)},
+                 {"scene", r.scene},
+                 {"title", r.title},
+                 {"solver", r.solver},
+                 {"backend", r.backend},
+                 {"steps", r.steps},
+                 {"time", r.time},
+                 {"seconds", r.seconds},
+                 {"steps_per_second", r.steps_per_second()},
+                 {"particle_steps_per_second", r.particle_steps_per_second()},
+                 {"statistics", json(r.statistics)},
+                 {"picture",
+                  {{"pixels", r.picture.pixels},
+                   {"bright", r.picture.bright},
+                   {"bright_fraction", r.picture.bright_fraction()},
+                   {"bottom_third", r.picture.bottom_third}}},
+                 {"checks", checks},
+                 {"verbs", verbs},
+                 {"state_sha256", r.state_sha256},
+                 {"kept_sha256", r.kept_sha256}};
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace freshet

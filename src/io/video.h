@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <sys/types.h>
+
+#include <filesystem>
+
+#include "render/image.h"
+
+namespace freshet {
+
+/// Pipes pictures to ffmpeg, which makes an .mp4 or a .gif of them; the file appears when it is
+/// whole.
+class Video {
+ public:
+  /// Throws Error (kind scene) if ffmpeg is missing, the ending is neither .mp4 nor .gif, or the
+  /// file exists and may not be replaced.
+  Video(std::filesystem::path file, int width, int height, double fps, bool overwrite);
+  ~Video();
+  Video(const Video&) = delete;
+  Video& operator=(const Video&) = delete;
+
+  /// Throws Error (kind run) with ffmpeg's last words if it ended early.
+  void add(const Image& image);
+  void finish();
+
+ private:
+  [[noreturn]] void fail();
+  bool wait();
+
+  std::filesystem::path file_, beside_;
+  int pipe_ = -1, words_ = -1;
+  pid_t ffmpeg_ = -1;
+};
+
+}  // namespace freshet

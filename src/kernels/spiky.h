@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "core/vec.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+/// grad W(x_ij) = -c (h - r)^2 x_ij/r for r < h, else 0;  c = 30/(pi h^5) in 2D, 45/(pi h^6) in 3D
+/// [Mueller 2003, eq. 21: W = (c/3)(h - r)^3]. Its gradient does not vanish at r -> 0, so close
+/// particles part.
+///
+///   h         support radius [m], h > 0
+///   gradient  [1/m^(D+1)]; zero within 1e-6 m of the centre, where it has no direction
+///   factor    what stands over pi h^(D+3): 30 (2D) or 45 (3D) is the derivative of W; the article
+///             has 10 in 2D, a third of it.
+template <int D> struct Spiky {
+  static constexpr Real derivative = D == 2 ? 30 : 45;
+  Real h, c;
+  explicit Spiky(Real h, Real factor = derivative) : h(h), c(factor / (pi * std::pow(h, D + 3))) {}
+
+  template <class R> FRESHET_HD R operator()(const Pair<D, R>& ij) const {
+    const R d = max(h - ij.r, R(0));
+    return c / 3 * d * d * d;
+  }
+  template <class R> FRESHET_HD Vec<D, R> gradient(const Pair<D, R>& ij) const {
+    const R d = max(h - ij.r, R(0));
+    return select(ij.r > R(1e-6f), -c * d * d / ij.r, R(0)) * ij.x;
+  }
+};
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

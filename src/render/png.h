@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+
+#include "render/image.h"
+
+namespace freshet {
+
+/// The bytes of a PNG file (8-bit RGB). Throws Error (kind run).
+std::string encode_png(const Image& image);
+/// The picture in the bytes of a PNG file. Throws Error (kind run).
+Image decode_png(const std::string& bytes);
+
+}  // namespace freshet

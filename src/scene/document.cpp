@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+/// The table of scene keys as a JSON Schema and as Markdown.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "scene/keys.h"
+
+namespace freshet {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Reduces every kind of key to one call: its type in words, its default, its words.
+class Describer : public KeyVisitor {
+ public:
+  void text(std::string_view n, std::string&, const KeyDoc& d) override {
+    key(n, "string", "\"\"", d);
+  }
+  void number(std::string_view n, double& v, const KeyDoc& d) override {
+    key(n, "number", fmt::format("{}", v), d);
+  }
+  void number(std::string_view n, std::optional<double>&, const KeyDoc& d) override {
+    key(n, "number", "", d);
+  }
+  void integer(std::string_view n, std::int64_t& v, const KeyDoc& d) override {
+    key(n, "integer", fmt::format("{}", v), d);
+  }
+  void integer(std::string_view n, std::optional<std::int64_t>&, const KeyDoc& d) override {
+    key(n, "integer", "", d);
+  }
+  void vector(std::string_view n, Vector& v, const KeyDoc& d) override {
+    key(n, "2 numbers", fmt::format("[{}]", fmt::join(v, ", ")), d);
+  }
+  void counts(std::string_view n, Counts&, const KeyDoc& d) override {
+    key(n, "2 integers", "", d);
+  }
+  void word(std::string_view n, int& v, Words words, const KeyDoc& d) override {
+    words_ = {words.begin(), words.end()};
+    key(n, "word", fmt::format("\"{}\"", words_[std::size_t(v)]), d);
+    words_.clear();
+  }
+
+ protected:
+  virtual void key(std::string_view name, std::string_view type, const std::string& fallback,
+                   const KeyDoc& doc) = 0;
+  std::vector<std::string> words_;
+};
+
+class SchemaWriter final : public Describer {
+ public:
+  Json root{{"$schema", "http://json-schema.org/draft-07/schema#"},
+            {"title", "Freshet scene"},
+            {"type", "object"},
+            {"additionalProperties", false}};
+
+  void section(std::string_view name, std::string_view text,
+               const std::function<void()>& keys) override {
+    Json table = object(text);
+    Json* const outer = std::exchange(at_, &table);
+    keys();
+    at_ = outer;
+    add(name, table);
+  }
+  void sections(std::string_view name, std::string_view text, std::vector<Scene::Fluid>&,
+                const std::function<void(Scene::Fluid&)>& keys) override {
+    Json table = object(text);
+    Json* const outer = std::exchange(at_, &table);
+    Scene::Fluid defaults;
+    keys(defaults);
+    at_ = outer;
+    add(name, {{"oneOf", {table, {{"type", "array"}, {"items", table}}}}});
+  }
+
+ private:
+  static Json object(std::string_view text) {
+    return {{"description", text}, {"type", "object"}, {"additionalProperties", false}};
+  }
+  void add(std::string_view name, const Json& value) {
+    (*at_)["properties"][std::string(name)] = value;
+  }
+  static Json number(const char* type, const KeyDoc& doc) {
+    Json json{{"type", type}};
+    if (std::isfinite(doc.min)) json[doc.above ? "exclusiveMinimum" : "minimum"] = doc.min;
+    if (std::isfinite(doc.max)) json["maximum"] = doc.max;
+    return json;
+  }
+  void key(std::string_view name, std::string_view type, const std::string& fallback,
+           const KeyDoc& doc) override {
+    Json json;
+    if (type == "word") json = {{"enum", words_}};
+    else if (type == "string") json = {{"type", "string"}};
+    else if (type == "number") json = number("number", doc);
+    else if (type == "integer") json = number("integer", doc);
+    else
+      json = {{"type", "array"},
+              {"items", number(type == "2 integers" ? "integer" : "number", doc)},
+              {"minItems", 2},
+              {"maxItems", 2}};
+    json["description"] =
+        fmt::format("{}{}", doc.text, doc.unit.empty() ? "" : fmt::format(" [{}]", doc.unit));
+    if (doc.required) (*at_)["required"].push_back(std::string(name));
+    else if (doc.fallback.empty()) json["default"] = Json::parse(fallback);
+    add(name, json);
+  }
+  Json* at_ = &root;
+};
+
+class MarkdownWriter final : public Describer {
+ public:
+  std::string out;
+
+  void section(std::string_view name, std::string_view text,
+               const std::function<void()>& keys) override {
+    heading(fmt::format("[{}]", name), text);
+    keys();
+  }
+  void sections(std::string_view name, std::string_view text, std::vector<Scene::Fluid>&,
+                const std::function<void(Scene::Fluid&)>& keys) override {
+    heading(fmt::format("[{}]", name), text);
+    Scene::Fluid defaults;
+    keys(defaults);
+  }
+  void heading(std::string_view title, std::string_view text) {
+    out += fmt::format(
+        "\n## {}\n\n{}\n\n| key | type | unit | default | range | meaning |\n"
+        "|---|---|---|---|---|---|\n",
+        title, text);
+  }
+
+ private:
+  std::string range(const KeyDoc& doc) const {
+    if (!words_.empty()) return fmt::format("`{}`", fmt::join(words_, "`, `"));
+    std::string text;
+    if (std::isfinite(doc.min)) text = fmt::format("{} {}", doc.above ? ">" : "≥", doc.min);
+    if (std::isfinite(doc.max))
+      text += fmt::format("{}≤ {:.10g}", text.empty() ? "" : ", ", doc.max);
+    return text;
+  }
+  void key(std::string_view name, std::string_view type, const std::string& fallback,
+           const KeyDoc& doc) override {
+    const std::string initial = doc.required           ? "required"
+                                : doc.fallback.empty() ? fmt::format("`{}`", fallback)
+                                                       : std::string(doc.fallback);
+    out += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", name, type, doc.unit, initial,
+                       range(doc), doc.text);
+  }
+};
+
+}  // namespace
+
+std::string scene_schema() {
+  SchemaWriter writer;
+  Scene defaults;
+  visit_keys(writer, defaults);
+  return writer.root.dump(2) + "\n";
+}
+
+std::string scene_reference() {
+  MarkdownWriter writer;
+  writer.out =
+      "# Scenes\n\n"
+      "A scene is a TOML file. Every key stands here, made from the table in `src/scene/keys.cpp`\n"
+      "that the parser itself checks against (`freshet schema --markdown` prints this page,\n"
+      "`freshet schema` the JSON Schema for editors). All units are SI; in two dimensions a "
+      "density\n"
+      "is a mass per area. Unknown keys are errors, and so are keys that nothing uses.\n";
+  writer.heading("At the top", "What the scene is.");
+  Scene defaults;
+  visit_keys(writer, defaults);
+  return writer.out;
+}
+
+}  // namespace freshet

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "scene/suggest.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace freshet {
+namespace {
+
+/// Edits between two words, a swap of neighbours counting as one (optimal string alignment).
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      const std::size_t change = a[i - 1] != b[j - 1];
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + change});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::string nearest(std::string_view typed, const std::set<std::string, std::less<>>& words) {
+  std::string best;
+  if (typed.size() > 100) return best;
+  std::size_t least = std::max<std::size_t>(1, typed.size() / 3) + 1;
+  for (const std::string& word : words)
+    if (const std::size_t d = distance(typed, word); d < least) least = d, best = word;
+  return best;
+}
+
+}  // namespace freshet
