@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// The dependency arrows of docs/architecture.md, read from the includes.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What each folder of src/ may include besides itself and the standard library. "api" stands for
+/// include/freshet.
+const std::map<std::string, std::set<std::string>> arrows{
+    {"core", {"api"}},
+    {"kernels", {"core"}},
+    {"pairs", {"core", "kernels"}},
+    {"boundary", {"core"}},
+    {"solvers", {"core", "kernels", "pairs", "boundary"}},
+    {"scene", {"api", "core", "kernels", "toml++", "fmt", "nlohmann"}},
+    {"render", {"api", "spng.h"}},
+    {"io", {"api", "render", "fmt", "nlohmann", "openssl", "commit.h"}},
+    {"backend", {"api", "core", "kernels", "pairs", "boundary"}},
+    {"sim", {"api", "core", "scene", "solvers", "backend", "render", "io", "fmt"}},
+};
+
+bool is_system(const std::string& include) {
+  static const std::set<std::string> posix{"unistd.h", "fcntl.h", "spawn.h"};
+  return include.find_first_of("./") == std::string::npos || include.starts_with("sys/") ||
+         posix.contains(include);
+}
+
+std::string folder_of(const std::string& include) {
+  const std::string first = include.substr(0, include.find('/'));
+  return first == "freshet" ? "api" : first;
+}
+
+TEST(Architecture, ArrowsPointOneWay) {
+  const std::regex line("\\s*#include [\"<]([^\">]+)[\">].*");
+  int read = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(SOURCE_DIR "/src")) {
+    const std::string extension = entry.path().extension();
+    if (extension != ".h" && extension != ".cpp" && extension != ".cu") continue;
+    const fs::path relative = fs::relative(entry.path(), SOURCE_DIR "/src");
+    const std::string folder = *relative.begin();
+    ASSERT_TRUE(arrows.contains(folder)) << folder << " is not in the table of arrows";
+    std::ifstream in(entry.path());
+    std::smatch match;
+    for (std::string text; std::getline(in, text);) {
+      if (!std::regex_match(text, match, line) || is_system(match[1])) continue;
+      const std::string to = folder_of(match[1]);
+      EXPECT_TRUE(to == folder || arrows.at(folder).contains(to))
+          << relative << " includes " << match[1];
+      ++read;
+    }
+  }
+  EXPECT_GT(read, 50);
+}
+
+// The library never prints and never exits.
+TEST(Architecture, TheLibraryIsSilent) {
+  const std::regex forbidden(
+      "std::(cout|cerr|clog|printf|puts)|fmt::print|[^_f]printf\\(|\\b(exit|abort)\\(");
+  for (const auto& entry : fs::recursive_directory_iterator(SOURCE_DIR "/src")) {
+    if (!entry.is_regular_file()) continue;
+    std::ifstream in(entry.path());
+    for (std::string text; std::getline(in, text);)
+      EXPECT_FALSE(std::regex_search(text, forbidden)) << entry.path() << ": " << text;
+  }
+}
+
+TEST(Architecture, AppsSeeThePublicHeadersOnly) {
+  const std::regex line("\\s*#include \"([^\"]+)\".*");
+  for (const auto& entry : fs::recursive_directory_iterator(SOURCE_DIR "/apps")) {
+    std::ifstream in(entry.path());
+    std::smatch match;
+    for (std::string text; std::getline(in, text);)
+      if (std::regex_match(text, match, line) && match[1].str().find('/') != std::string::npos) {
+        EXPECT_TRUE(match[1].str().starts_with("freshet/")) << entry.path() << ": " << text;
+      }
+  }
+}
+
+}  // namespace

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What the table of keys prints is what the repository holds.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "freshet/scene.h"
+#include "scene/suggest.h"
+
+namespace freshet {
+namespace {
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+TEST(SceneDocuments, TheReferenceIsUpToDate) {
+  EXPECT_EQ(text_of(SOURCE_DIR "/docs/scene.md"), scene_reference())
+      << "freshet schema --markdown > docs/scene.md";
+}
+
+TEST(SceneDocuments, TheSchemaIsUpToDate) {
+  EXPECT_EQ(text_of(SOURCE_DIR "/docs/scene.schema.json"), scene_schema())
+      << "freshet schema > docs/scene.schema.json";
+}
+
+TEST(SceneDocuments, TheSchemaSaysWhatTheParserChecks) {
+  const auto schema = nlohmann::json::parse(scene_schema());
+  const auto& particles = schema["properties"]["particles"];
+  EXPECT_EQ(0, particles["properties"]["spacing"]["exclusiveMinimum"]);
+  EXPECT_EQ("spacing", particles["required"][0]);
+  EXPECT_EQ(false, particles["additionalProperties"]);
+  EXPECT_EQ(nlohmann::json({"paper", "article"}),
+            schema["properties"]["solver"]["properties"]["scheme"]["enum"]);
+}
+
+TEST(SceneDocuments, EverySceneThatComesAlongIsGood) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(SOURCE_DIR "/scenes")) {
+    if (!entry.is_regular_file()) continue;
+    const Scene scene = load_scene(entry.path());
+    EXPECT_FALSE(scene.title.empty()) << entry.path();
+    EXPECT_EQ('#', scene.source[0]) << entry.path() << " begins with a comment on what it shows";
+  }
+}
+
+TEST(Suggest, FindsTheNearestWordOrNone) {
+  EXPECT_EQ("spacing", nearest("spaceing", {"spacing", "seed", "mass"}));
+  EXPECT_EQ("stiffness", nearest("stifness", {"stiffness", "scheme"}));
+  EXPECT_EQ("end", nearest("edn", {"end", "step"}));
+  EXPECT_EQ("", nearest("volume", {"spacing", "seed", "mass"}));
+}
+
+}  // namespace
+}  // namespace freshet
