@@ -100,7 +100,7 @@ void bench(const BenchArguments& a) {
   std::string key;
   if (!a.compare.empty()) {
     const auto equals = a.compare.find('=');
-    if (equals == std::string::npos)
+    if (equals == std::string::npos || equals == 0)
       throw Error(Error::Kind::scene, "--compare " + a.compare,
                   "write KEY=A,B, for example solver.search=grid,all_pairs");
     key = a.compare.substr(0, equals);

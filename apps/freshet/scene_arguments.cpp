@@ -10,11 +10,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Installed beside the program (share/freshet/scenes), or in the sources of a build tree.
+/// Installed beside the program (share/freshet/scenes), or in the sources above a build tree.
 std::vector<fs::path> scene_folders() {
   std::error_code ec;
-  const fs::path bin = fs::read_symlink("/proc/self/exe", ec).parent_path();
-  return {bin / "../share/freshet/scenes", bin / "../../../scenes"};
+  fs::path folder = fs::read_symlink("/proc/self/exe", ec).parent_path();
+  std::vector<fs::path> all{folder / "../share/freshet/scenes"};
+  for (; folder.has_relative_path(); folder = folder.parent_path())
+    all.push_back(folder / "scenes");
+  return all;
 }
 
 }  // namespace

@@ -30,8 +30,9 @@ class Simulation {
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
-  /// One time step. Throws Error (kind run) when a particle's position is no longer a number, which
-  /// is looked for every hundredth step; the message names the particle and the likeliest cause.
+  /// One time step. Throws Error (kind run) when a particle is lost (no number any more, or ten domain
+  /// diagonals outside), which is looked for every hundredth step and after the last; the message
+  /// names the particle and the likeliest cause.
   void step();
 
   const Scene& scene() const;

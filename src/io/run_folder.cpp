@@ -28,11 +28,15 @@ constexpr const char* manifest_name = "manifest.json";
 std::set<std::string> files_of(const fs::path& manifest) {
   std::set<std::string> files;
   const Json json = Json::parse(std::ifstream(manifest), nullptr, false);
-  if (json.is_discarded() || !json.contains("files") || !json["files"].is_array())
+  const auto refuse = [&] {
     throw Error(Error::Kind::scene, manifest.string(),
                 "not a manifest of Freshet; remove the folder by hand or choose another --output");
+  };
+  if (!json.is_object() || !json.contains("files") || !json["files"].is_array()) refuse();
   for (const Json& file : json["files"]) {
-    const std::string name = file.is_string() ? file.get<std::string>() : file.value("file", "");
+    const Json entry = file.is_object() ? file.value("file", Json("")) : file;
+    if (!entry.is_string()) refuse();
+    const std::string name = entry;
     const fs::path path = fs::path(name).lexically_normal();
     if (!name.empty() && path.is_relative() && *path.begin() != "..") files.insert(name);
   }

@@ -49,18 +49,21 @@ std::vector<std::string> arguments(const std::filesystem::path& to, bool gif, in
 
 }  // namespace
 
-Video::Video(std::filesystem::path file, int width, int height, double fps, bool overwrite)
-    : file_(std::move(file)), beside_(file_.string() + ".part") {
+void Video::check(const std::filesystem::path& file, bool overwrite) {
   const auto refuse = [&](const std::string& why) {
-    throw Error(Error::Kind::scene, "--video " + file_.string(), why);
+    throw Error(Error::Kind::scene, "--video " + file.string(), why);
   };
-  const bool gif = file_.extension() == ".gif";
-  if (!gif && file_.extension() != ".mp4") refuse("the name must end in .mp4 or .gif");
-  if (std::filesystem::exists(file_) && !overwrite)
+  if (file.extension() != ".gif" && file.extension() != ".mp4")
+    refuse("the name must end in .mp4 or .gif");
+  if (std::filesystem::exists(file) && !overwrite)
     refuse("this file exists; --overwrite replaces it");
   if (!in_path("ffmpeg"))
     refuse("needs ffmpeg, which is not installed; on Debian: sudo apt-get install ffmpeg");
+}
 
+Video::Video(std::filesystem::path file, int width, int height, double fps)
+    : file_(std::move(file)), beside_(file_.string() + ".part") {
+  const bool gif = file_.extension() == ".gif";
   int ends[2];
   words_ = ::memfd_create("ffmpeg's words", MFD_CLOEXEC);
   if (words_ < 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)

@@ -13,8 +13,10 @@ namespace freshet {
 class Video {
  public:
   /// Throws Error (kind scene) if ffmpeg is missing, the ending is neither .mp4 nor .gif, or the
-  /// file exists and may not be replaced.
-  Video(std::filesystem::path file, int width, int height, double fps, bool overwrite);
+  /// file exists and may not be replaced. Called before a run touches its folder.
+  static void check(const std::filesystem::path& file, bool overwrite);
+
+  Video(std::filesystem::path file, int width, int height, double fps);
   ~Video();
   Video(const Video&) = delete;
   Video& operator=(const Video&) = delete;

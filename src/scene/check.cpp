@@ -300,7 +300,7 @@ std::vector<Diagnostic> scene_warnings(const Scene& scene) {
              "a support of {:.3g} spacings sums the density of a resting lattice to {:.3f} of "
              "its value; 2 spacings or more are accurate",
              d.support_radius / d.spacing, 1 + d.density_error));
-  if (std::abs(d.gradient_error) > 0.1)
+  if (std::abs(d.gradient_error) > 0.15)
     warn(support,
          fmt::format(
              "a support of {:.3g} spacings has {:.1f} neighbours: pressure gradients are off by "

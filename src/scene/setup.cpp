@@ -66,7 +66,8 @@ Derived derive(const Scene& s) {
   Derived d{};
   for (const Scene::Fluid& f : s.fluid)
     d.particles += lattice_of(f, s.particles.spacing).particles();
-  d.outside = sample(s).outside;
+  for (const Scene::Fluid& f : s.fluid)
+    if (f.outside == Outside::clamp) d.outside = sample(s).outside;  // elsewhere it is an error
   d.frames = Schedule(s).frames();
   d.spacing = s.particles.spacing;
   d.support_radius = s.particles.support_radius.value_or(2 * d.spacing);

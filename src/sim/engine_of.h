@@ -16,7 +16,7 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
     allocate("id", Keep::kept, fluid_.id);
     allocate("x", Keep::kept, fluid_.x);
     allocate("v", Keep::kept, fluid_.v);
-    fluid_.fields([this](const char* name, Keep keep, auto& f) { allocate(name, keep, f); });
+    fluid_.fields([this](const char* name, Keep keep, auto& f) { this->allocate(name, keep, f); });
     for (int i = 0; i < n; ++i) fluid_.id[i] = std::uint64_t(i);
     std::memcpy(static_cast<void*>(fluid_.x.data), sample.x.data(), sample.x.size() * sizeof(Real));
     std::memcpy(static_cast<void*>(fluid_.v.data), sample.v.data(), sample.v.size() * sizeof(Real));

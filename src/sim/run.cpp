@@ -66,9 +66,7 @@ class Observer {
                 {options.command, backend_words[int(sim.scene().solver.backend)]}) {
     folder_.write("scene.toml", sim.scene().source);
     const auto& picture = sim.scene().picture;
-    if (video_)
-      film_.emplace(video_->file, int(picture.width), int(picture.height), video_->fps,
-                    options.overwrite);
+    if (video_) film_.emplace(video_->file, int(picture.width), int(picture.height), video_->fps);
   }
 
   void after_step() {
@@ -148,6 +146,7 @@ Report report_of(const Simulation& sim, const RunOptions& options) {
 
 Report run(const Scene& scene, const RunOptions& options) {
   Simulation sim(scene);
+  if (options.video) Video::check(options.video->file, options.overwrite);
   Observer observer(sim, options);
   try {
     bool interrupted = false;

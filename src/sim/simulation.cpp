@@ -39,6 +39,7 @@ struct Simulation::Impl {
     engine = make_engine(scene, derived);
   }
   void look_for_failure() const;
+  [[noreturn]] void fail(std::uint64_t id, double x, double y) const;
 
   Scene scene;
   Derived derived{};
@@ -64,22 +65,28 @@ void Simulation::step() {
     impl_->look_for_failure();
 }
 
+/// A particle that is nowhere, or so far out that it cannot come back, is the end of the run.
 void Simulation::Impl::look_for_failure() const {
   const ParticleView f = engine->fluid();
-  const auto bad =
-      std::find_if_not(f.x.begin(), f.x.end(), [](Real a) { return std::isfinite(a); });
-  if (bad == f.x.end()) return;
-  const std::size_t i = std::size_t(bad - f.x.begin()) / std::size_t(f.dimension);
+  const Vector &min = scene.domain.min, &max = scene.domain.max;
+  const double far = 10 * std::hypot(max[0] - min[0], max[1] - min[1]);
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    const double x = f.x[2 * i], y = f.x[2 * i + 1];
+    const bool near = x > min[0] - far && x < max[0] + far && y > min[1] - far && y < max[1] + far;
+    if (!near) fail(f.id[i], x, y);  // a NaN is not near either
+  }
+}
+
+void Simulation::Impl::fail(std::uint64_t id, double x, double y) const {
   const double bound = derived.step_bound();
   const std::string cause =
       scene.time.step > bound
           ? fmt::format("time.step, {:.4g} s, is over its bound, {:.4g} s; make it smaller",
                         scene.time.step, bound)
           : "particles came too close; look at the start of the scene, or make time.step smaller";
-  throw Error(
-      Error::Kind::run, "",
-      fmt::format("particle {} has no position any more ({}, {}) at step {}, {:.6g} s; {}", f.id[i],
-                  f.x[i * 2], f.x[i * 2 + 1], steps, double(steps) * scene.time.step, cause));
+  throw Error(Error::Kind::run, "",
+              fmt::format("particle {} is lost, at ({:.4g}, {:.4g}) at step {}, {:.6g} s; {}", id,
+                          x, y, steps, double(steps) * scene.time.step, cause));
 }
 
 Statistics Simulation::statistics() const {

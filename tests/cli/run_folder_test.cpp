@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+/// The folder of a run: what stands in it, and what a run never touches.
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "cli/files.h"
+#include "cli/process.h"
+
+namespace freshet::test {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// The contents of every file below a folder, by name.
+std::map<std::string, std::string> snapshot(const fs::path& folder) {
+  std::map<std::string, std::string> all;
+  for (const std::string& file : files_below(folder)) all[file] = read_text(folder / file);
+  return all;
+}
+
+void expect_refused(const std::vector<std::string>& arguments, const std::string& words) {
+  const auto r = freshet(arguments);
+  EXPECT_EQ(r.code, 2) << r.err;
+  EXPECT_TRUE(contains(r.err, words)) << r.err;
+}
+
+TEST(RunFolder, HoldsWhatItsManifestSays) {
+  const TemporaryFolder folder;
+  const auto r = freshet(short_run(folder.path(), {"--set", "checks.height_mean_max=3"}));
+  EXPECT_EQ(r.code, 0) << r.err;
+  expect_whole_run(folder.path());
+  const auto files = files_below(folder.path());
+  for (const char* file : {"frames/frame_0000.png", "frames/frame_0001.png", "result.png",
+                           "report.json", "observables.csv", "scene.toml"})
+    EXPECT_TRUE(files.contains(file)) << file;
+  const Json manifest = Json::parse(read_text(folder / "manifest.json"));
+  EXPECT_EQ(manifest.at("state"), "done");
+  for (const char* key : {"freshet", "commit", "compiler", "isa", "threads", "command"})
+    EXPECT_TRUE(manifest.contains(key)) << key;
+  EXPECT_EQ(report_of(folder.path()).at("steps"), 50);
+}
+
+TEST(RunFolder, HoldsTheSceneAsItIs) {
+  const TemporaryFolder folder;
+  const std::string scene = (source_dir / "tests/scenes/good/windows_line_ends.toml").string();
+  const auto r = freshet({"run", scene, "--output", folder.path().string()});
+  EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_EQ(read_text(folder / "scene.toml"), read_text(scene));
+}
+
+TEST(RunFolder, HoldsTheSceneAsRun) {
+  const TemporaryFolder folder;
+  const std::string title = "two\nlines = 1, ''' and \"\"\" and \x1b[31m";
+  auto arguments = short_run(folder / "a", {"--set", "title=" + title});
+  freshet(arguments);
+  const Json first = report_of(folder / "a");
+  EXPECT_EQ(first.at("title"), title);
+  EXPECT_TRUE(contains(read_text(folder / "a/scene.toml"), "end = 0.05"));
+
+  const auto again =
+      freshet({"run", (folder / "a/scene.toml").string(), "--output", (folder / "b").string()});
+  EXPECT_EQ(again.err.find("--set"), std::string::npos) << again.err;
+  const Json second = report_of(folder / "b");
+  EXPECT_EQ(second.at("title"), title);
+  EXPECT_EQ(second.at("state_sha256"), first.at("state_sha256"));
+}
+
+TEST(RunFolder, IsNotOverwrittenUnasked) {
+  const TemporaryFolder folder;
+  freshet(short_run(folder.path()));
+  const auto before = snapshot(folder.path());
+  expect_refused(short_run(folder.path(), {"--set", "particles.seed=2"}), "--overwrite");
+  EXPECT_EQ(snapshot(folder.path()), before);
+}
+
+TEST(RunFolder, IsOverwrittenWithoutTouchingStrangers) {
+  const TemporaryFolder folder;
+  freshet(short_run(folder.path(), {"--set", "output.frame_every_steps=5"}));
+  write_text(folder / "notes.txt", "mine");
+  write_text(folder / "frames/holiday.png", "mine too");
+  EXPECT_TRUE(fs::exists(folder / "frames/frame_0009.png"));
+  const auto r = freshet(short_run(folder.path(), {"--overwrite"}));
+  EXPECT_FALSE(contains(r.err, "error: this")) << r.err;
+  EXPECT_FALSE(fs::exists(folder / "frames/frame_0009.png"));  // named by the first manifest
+  EXPECT_EQ(read_text(folder / "notes.txt"), "mine");
+  EXPECT_EQ(read_text(folder / "frames/holiday.png"), "mine too");
+}
+
+TEST(RunFolder, IsRefusedWhereAStrangersFileWouldBeReplaced) {
+  const TemporaryFolder folder;
+  write_text(folder / "result.png", "my picture");
+  for (const bool overwrite : {false, true}) {
+    auto arguments = short_run(folder.path());
+    if (overwrite) arguments.push_back("--overwrite");
+    expect_refused(arguments, "result.png: error: ");
+    EXPECT_EQ(files_below(folder.path()), std::set<std::string>{"result.png"});
+    EXPECT_EQ(read_text(folder / "result.png"), "my picture");
+  }
+}
+
+TEST(RunFolder, WithAForgedManifestDeletesNothingOutside) {
+  const TemporaryFolder folder;
+  const std::string victim = (folder / "victim.txt").string();
+  const Json names = {"../victim.txt",
+                      victim,
+                      "frames/../../victim.txt",
+                      "./../victim.txt",
+                      "..",
+                      ".",
+                      "",
+                      "frames//../..//victim.txt"};
+  Json entries = names;
+  for (const Json& name : names) entries.push_back({{"file", name}});
+  write_text(victim, "precious");
+  write_text(folder / "run/manifest.json", Json{{"files", entries}}.dump());
+  freshet(short_run(folder / "run", {"--overwrite", "--quiet"}));
+  EXPECT_EQ(read_text(victim), "precious");
+  expect_whole_run(folder / "run");
+}
+
+TEST(RunFolder, WithSomeOtherManifestIsRefused) {
+  for (const char* text : {"", "[]", "3", "{", "{\"files\": 3}", "{\"files\": [3]}",
+                           "{\"files\": [{\"file\": 3}]}", "null"}) {
+    const TemporaryFolder folder;
+    write_text(folder / "manifest.json", text);
+    expect_refused(short_run(folder.path(), {"--overwrite"}), "not a manifest");
+    EXPECT_EQ(read_text(folder / "manifest.json"), text);
+  }
+}
+
+TEST(RunFolder, TakesOneRunAtATime) {
+  const TemporaryFolder folder;
+  Process first(freshet_command(long_run(folder.path())));
+  ASSERT_TRUE(first.wait_for("particles"));
+  expect_refused(short_run(folder.path()), "another run");
+  expect_refused(short_run(folder.path(), {"--overwrite"}), "another run");
+  first.send(SIGINT);
+  EXPECT_EQ(first.finish().code, 130);
+  expect_whole_run(folder.path());
+}
+
+TEST(RunFolder, CannotBeMade) {
+  const TemporaryFolder folder;
+  write_text(folder / "file", "mine");
+  for (const std::string& output :
+       {std::string("/dev/full"), std::string("/proc/no/such"), (folder / "file").string(),
+        (folder / "file/below").string(), (folder / std::string(300, 'x')).string()}) {
+    const auto r = freshet(short_run(output));
+    EXPECT_EQ(r.code, 1) << output;
+    EXPECT_TRUE(contains(r.err, output + ": error: cannot make this folder: ")) << r.err;
+    EXPECT_TRUE(contains(r.err, "--output")) << r.err;
+  }
+  EXPECT_EQ(read_text(folder / "file"), "mine");
+}
+
+TEST(RunFolder, OnAFullDiskHasNoHalfFiles) {
+  const std::uint64_t below_a_picture = 20000, below_a_manifest = 50;
+  for (const std::uint64_t limit : {below_a_picture, below_a_manifest}) {
+    const TemporaryFolder folder;
+    const auto r = freshet(short_run(folder.path()), {.file_limit = limit});
+    EXPECT_EQ(r.code, 1) << r.err;
+    EXPECT_EQ(r.ended_by, 0);
+    EXPECT_TRUE(contains(r.err, "error: cannot write: ") && contains(r.err, "ulimit -f")) << r.err;
+    for (const std::string& file : files_below(folder.path()))
+      EXPECT_FALSE(file.ends_with(".part")) << file;
+    EXPECT_FALSE(fs::exists(folder / "result.png"));
+    if (limit == below_a_picture) {
+      expect_whole_run(folder.path());
+      EXPECT_EQ(Json::parse(read_text(folder / "manifest.json")).at("state"), "failed");
+    }
+  }
+}
+
+TEST(RunFolder, OfAKilledRunCanBeReplaced) {
+  const TemporaryFolder folder;
+  Process killed(freshet_command(long_run(folder.path())));
+  ASSERT_TRUE(killed.wait_for("particles"));
+  killed.send(SIGKILL);
+  EXPECT_EQ(killed.finish().ended_by, SIGKILL);
+  expect_refused(short_run(folder.path()), "--overwrite");
+  const auto r = freshet(short_run(folder.path(), {"--overwrite"}));
+  EXPECT_FALSE(contains(r.err, "choose another")) << r.err;
+  for (const std::string& file : files_below(folder.path()))
+    EXPECT_FALSE(file.ends_with(".part")) << file;
+  expect_whole_run(folder.path());
+}
+
+}  // namespace
+}  // namespace freshet::test

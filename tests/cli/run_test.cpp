@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+/// How runs end and what they say meanwhile.
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "cli/files.h"
+#include "cli/process.h"
+
+namespace freshet::test {
+namespace {
+
+const std::vector<std::string> no_height_check{"--set", "checks.height_mean_max=3"};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::vector<std::string> good_run(const fs::path& output, std::vector<std::string> more = {}) {
+  more.insert(more.end(), no_height_check.begin(), no_height_check.end());
+  return short_run(output, more);
+}
+
+TEST(Run, SaysPlainLinesToAPipe) {
+  const TemporaryFolder folder;
+  const auto r = freshet(good_run(folder.path()));
+  EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_TRUE(contains(r.out, "600 particles, 50 steps")) << r.out;
+  EXPECT_TRUE(contains(r.out, "100 %")) << r.out;
+  EXPECT_TRUE(contains(r.out, (folder / "result.png").string())) << r.out;
+  for (const char control : {'\x1b', '\r', '\b'})
+    EXPECT_EQ(r.out.find(control), std::string::npos) << r.out;
+  EXPECT_TRUE(r.out.ends_with('\n'));
+}
+
+TEST(Run, LogsJson) {
+  const TemporaryFolder folder;
+  const auto r = freshet(good_run(folder.path(), {"--log", "json"}));
+  EXPECT_EQ(r.code, 0) << r.err;
+  std::vector<std::string> events;
+  for (const std::string& line : lines_of(r.out)) {
+    const Json json = Json::parse(line, nullptr, false);
+    ASSERT_TRUE(json.is_object()) << line;
+    events.push_back(json.at("event"));
+  }
+  ASSERT_GE(events.size(), 3u);
+  EXPECT_EQ(events.front(), "start");
+  EXPECT_EQ(events[1], "progress");
+  EXPECT_EQ(events.back(), "done");
+}
+
+TEST(Run, SaysNothingWhereQuiet) {
+  const TemporaryFolder folder;
+  const auto r = freshet(good_run(folder.path(), {"--quiet"}));
+  EXPECT_EQ(r.code, 0);
+  EXPECT_EQ(r.out, "");
+  EXPECT_EQ(r.err, "");
+  expect_whole_run(folder.path());
+}
+
+TEST(Run, NeedsNoReader) {
+  const TemporaryFolder folder;
+  const auto gone =
+      freshet(good_run(folder / "gone", {"--set", "time.end=1"}), {.close_stdout_early = true});
+  EXPECT_EQ(gone.code, 0) << gone.err << gone.ended_by;
+  expect_whole_run(folder / "gone");
+  const auto full = freshet(good_run(folder / "full"), {.stdout_file = "/dev/full"});
+  EXPECT_EQ(full.ended_by, 0);
+  expect_whole_run(folder / "full");
+}
+
+TEST(Run, FailsWithItsChecks) {
+  const TemporaryFolder folder;
+  const auto r = freshet(good_run(folder.path(), {"--set", "checks.density_mean_min=100"}));
+  EXPECT_EQ(r.code, 1);
+  EXPECT_TRUE(contains(r.err, "error: check failed: density mean is ")) << r.err;
+  EXPECT_TRUE(contains(r.err, "> 100")) << r.err;
+  const Json report = report_of(folder.path());
+  EXPECT_EQ(report.at("state"), "check failed");
+  expect_whole_run(folder.path());
+}
+
+TEST(Run, EndsWellWhenInterrupted) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const TemporaryFolder folder;
+    const auto r =
+        freshet(long_run(folder.path()), {.signal = signal, .signal_after = "particles"});
+    EXPECT_EQ(r.code, 130) << r.err << r.ended_by;
+    EXPECT_TRUE(contains(r.out, "interrupted after")) << r.out;
+    EXPECT_FALSE(contains(r.err, "check failed")) << r.err;
+    expect_whole_run(folder.path());
+    const Json report = report_of(folder.path());
+    EXPECT_EQ(report.at("state"), "interrupted");
+    EXPECT_LT(report.at("steps"), 500000);
+    EXPECT_GT(report.at("steps"), 0);
+    EXPECT_TRUE(fs::exists(folder / "result.png"));
+  }
+}
+
+TEST(Run, LogsAnInterruption) {
+  const TemporaryFolder folder;
+  const auto r = freshet(long_run(folder.path(), {"--log", "json"}),
+                         {.signal = SIGINT, .signal_after = "progress"});
+  EXPECT_EQ(r.code, 130);
+  EXPECT_EQ(Json::parse(lines_of(r.out).back()).at("event"), "interrupted");
+}
+
+TEST(Run, TellsOfParticlesThatAreLost) {
+  const TemporaryFolder folder;
+  const std::string scene = (source_dir / "tests/scenes/good/plain.toml").string();
+  const auto r = freshet({"run", scene, "--output", folder.path().string(), "--quiet",  //
+                          "--set", "domain.gravity=[0, -1e15]", "--set", "time.step=1e12", "--set",
+                          "time.end=1e14"});
+  EXPECT_EQ(r.code, 1);
+  EXPECT_TRUE(r.err.starts_with("error: particle ")) << r.err;
+  for (const char* words : {"at step ", "1e+14 s", "time.step", "over its bound", "smaller"})
+    EXPECT_TRUE(contains(r.err, words)) << words << " in " << r.err;
+  EXPECT_EQ(lines_of(r.err).size(), 1u) << r.err;
+  EXPECT_EQ(Json::parse(read_text(folder / "manifest.json")).at("state"), "failed");
+  expect_whole_run(folder.path());
+}
+
+TEST(Run, IsTheSameForAnyNumberOfThreads) {
+  const TemporaryFolder folder;
+  freshet(good_run(folder / "one", {"--threads", "1"}));
+  freshet(good_run(folder / "three", {"--threads", "3"}));
+  EXPECT_EQ(report_of(folder / "one").at("state_sha256"),
+            report_of(folder / "three").at("state_sha256"));
+}
+
+TEST(Run, NamesItsFolderAfterTheScene) {
+  const TemporaryFolder folder;
+  fs::copy_file(article, folder / "pond.toml");
+  const auto r = freshet({"run", "pond.toml", "--quiet", "--set", "time.end=0.01", "--set",
+                          "checks.height_mean_max=3"},
+                         {.directory = folder.path()});
+  EXPECT_EQ(r.code, 0) << r.err;
+  expect_whole_run(folder / "runs/pond");
+}
+
+TEST(Video, NeedsFfmpeg) {
+  const TemporaryFolder folder;
+  const auto r = freshet(good_run(folder / "run", {"--video", (folder / "water.mp4").string()}),
+                         {.environment = {"PATH=/nowhere"}});
+  EXPECT_EQ(r.code, 2);
+  EXPECT_TRUE(contains(r.err, "ffmpeg")) << r.err;
+  EXPECT_TRUE(contains(r.err, "apt-get install ffmpeg")) << r.err;
+  EXPECT_FALSE(fs::exists(folder / "water.mp4"));
+  const auto after = freshet(good_run(folder / "run"));  // nothing stands in the way
+  EXPECT_EQ(after.code, 0) << after.err;
+}
+
+TEST(Video, IsRefusedUnderAWrongName) {
+  const TemporaryFolder folder;
+  const auto r = freshet(good_run(folder / "run", {"--video", (folder / "water.avi").string()}));
+  EXPECT_EQ(r.code, 2);
+  EXPECT_TRUE(contains(r.err, ".mp4 or .gif")) << r.err;
+  EXPECT_FALSE(fs::exists(folder / "run/manifest.json"));
+}
+
+TEST(Video, IsMadeOfTheRun) {
+  if (run_process({"ffmpeg", "-version"}).code != 0) GTEST_SKIP() << "ffmpeg is not installed";
+  const TemporaryFolder folder;
+  for (const std::string kind : {"mp4", "gif"}) {
+    const fs::path film = folder / ("water." + kind);
+    const auto r = freshet(good_run(folder / kind, {"--video", film.string(), "--fps", "100"}));
+    EXPECT_EQ(r.code, 0) << r.err;
+    const std::string bytes = read_text(film);
+    EXPECT_GT(bytes.size(), 1000u);
+    EXPECT_EQ(kind == "gif" ? bytes.substr(0, 4) : bytes.substr(4, 4),
+              kind == "gif" ? "GIF8" : "ftyp");
+    EXPECT_FALSE(fs::exists(film.string() + ".part"));
+    expect_whole_run(folder / kind);
+
+    const auto again = freshet(good_run(folder / "other", {"--video", film.string()}));
+    EXPECT_EQ(again.code, 2);
+    EXPECT_TRUE(contains(again.err, "exists")) << again.err;
+    EXPECT_EQ(read_text(film), bytes);
+  }
+}
+
+}  // namespace
+}  // namespace freshet::test

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+/// Any bytes are either a scene or an Error; a scene that was changed by overrides is written as
+/// TOML that reads as a scene again.
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "freshet/derived.h"
+#include "freshet/scene.h"
+
+namespace {
+
+using freshet::Override;
+
+constexpr std::string_view separator = "\n#--set ";  // a comment to a scene of the corpus
+constexpr double few_particles = 10000;
+
+/// The overrides that stand at the end of the input: lines of "#--set KEY=VALUE".
+std::vector<Override> take_overrides(std::string& text) {
+  std::vector<Override> all;
+  while (all.size() < 4) {
+    const auto at = text.rfind(separator);
+    if (at == std::string::npos) break;
+    const std::string pair = text.substr(at + separator.size());
+    text.resize(at + 1);
+    const auto equals = pair.find('=');
+    if (equals != std::string::npos)
+      all.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
+  }
+  return all;
+}
+
+void require(bool good, const char* what, const std::string& text) {
+  if (good) return;
+  std::fprintf(stderr, "%s:\n%s\n", what, text.c_str());
+  std::abort();
+}
+
+void check_error(const freshet::Error& e, bool overridden) {
+  require(e.kind() == freshet::Error::Kind::scene, "not an error of the scene", e.what());
+  require(!e.diagnostics().empty(), "an error without a word", "");
+  for (const auto& d : e.diagnostics()) {
+    require(d.message.size() < 2000, "a message of more than a screen", d.message);
+    require(d.place.starts_with("fuzz") || (overridden && d.place.starts_with("--set ")),
+            "a message without a place", d.text());
+  }
+}
+
+double particles_of(const freshet::Scene& scene) {
+  double all = 0;
+  for (const auto& f : scene.fluid) {
+    double n = 1;
+    for (std::size_t k = 0; k < 2; ++k)
+      n *= f.shape == freshet::Shape::lattice ? double(f.count[k])
+                                              : (f.max[k] - f.min[k]) / scene.particles.spacing + 1;
+    all += n;
+  }
+  return all;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  std::string text(reinterpret_cast<const char*>(data), size);
+  const auto overrides = take_overrides(text);
+  freshet::Scene scene;
+  try {
+    scene = freshet::parse_scene(text, "fuzz", overrides);
+  } catch (const freshet::Error& e) {
+    check_error(e, !overrides.empty());
+    return 0;
+  }
+  try {
+    const auto again = freshet::parse_scene(scene.source, "fuzz");
+    require(again.title == scene.title && again.steps() == scene.steps() &&
+                again.particles.spacing == scene.particles.spacing,
+            "the scene as run reads otherwise", scene.source);
+    if (particles_of(scene) < few_particles) freshet::scene_warnings(scene);
+  } catch (const freshet::Error& e) {
+    require(false, e.what(), scene.source);
+  }
+  return 0;
+}
