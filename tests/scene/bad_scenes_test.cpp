@@ -68,8 +68,8 @@ TEST(BadScenes, OfHostileSizeAreRefusedInTime) {
   std::string deep_key = "a", deep_tables = "[a", fluids, keys = "[output]\n";
   for (int k = 0; k < 2000000; ++k) deep_key += ".a";
   for (int k = 0; k < 2000000; ++k) deep_tables += ".\"a\"";
-  for (int k = 0; k < 300000; ++k) fluids += "[[fluid]]\n";
-  for (int k = 0; k < 300000; ++k) keys += "key_" + std::to_string(k) + " = 1\n";
+  for (int k = 0; k < 60000; ++k) fluids += "[[fluid]]\n";
+  for (int k = 0; k < 60000; ++k) keys += "key_" + std::to_string(k) + " = 1\n";
   const std::string texts[] = {
       deep_key + " = 1\n",       deep_key + " = 1\n=", deep_tables + "]\n", fluids, keys,
       std::string(17 << 20, '#')};

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "article/article_scene.h"
+#include "sim/parameters.h"
+
+namespace freshet {
+namespace {
+
+// What scheme = "article" changes against "paper" (the default), and nothing else.
+TEST(ArticleScheme, DiffersFromThePapersInFiveThings) {
+  const Scene article_s = article_scene();
+  Scene paper_s = article_s;
+  paper_s.solver.scheme = Scheme::paper;
+  paper_s.solver.speed_limit.reset();
+  paper_s.particles.mass.reset();
+  paper_s.places.clear();
+  const Derived of_article = derive(article_s), of_paper = derive(paper_s);
+  const auto article = mueller2003_parameters<2>(article_s, of_article);
+  const auto paper = mueller2003_parameters<2>(paper_s, of_paper);
+
+  EXPECT_EQ(Real(10), article.spiky_factor);  // 1
+  EXPECT_EQ(Real(30), paper.spiky_factor);
+  EXPECT_EQ(Real(0.02), article.m);  // 2: given; the density sum is taken as it comes
+  EXPECT_EQ(article.m, article.m_density);
+  EXPECT_FLOAT_EQ(0.8f * 0.15f * 0.15f, float(paper.m));
+  EXPECT_FLOAT_EQ(float(double(paper.m) / (1 + of_paper.density_error)), float(paper.m_density));
+  EXPECT_EQ(Real(20), article.speed_limit);  // 3
+  EXPECT_TRUE(std::isinf(paper.speed_limit));
+  EXPECT_TRUE(article.walls.onto_wall);  // 4
+  EXPECT_FALSE(paper.walls.onto_wall);
+  EXPECT_TRUE(article.kick_drift);  // 5
+  EXPECT_FALSE(paper.kick_drift);
+
+  EXPECT_EQ(article.dt, paper.dt);
+  EXPECT_EQ(article.h, paper.h);
+  EXPECT_EQ(article.rho0, paper.rho0);
+  EXPECT_EQ(article.k, paper.k);
+  EXPECT_EQ(article.mu, paper.mu);
+  EXPECT_EQ(article.gravity.x, paper.gravity.x);
+  EXPECT_EQ(article.gravity.y, paper.gravity.y);
+  EXPECT_EQ(article.walls.min.x, paper.walls.min.x);
+  EXPECT_EQ(article.walls.min.y, paper.walls.min.y);
+  EXPECT_EQ(article.walls.max.x, paper.walls.max.x);
+  EXPECT_EQ(article.walls.max.y, paper.walls.max.y);
+  EXPECT_EQ(article.walls.restitution, paper.walls.restitution);
+}
+
+}  // namespace
+}  // namespace freshet

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "article/article_scene.h"
+#include "freshet/derived.h"
+
+namespace freshet {
+namespace {
+
+struct Course {
+  double kinetic = 0;  ///< mean over the second half of the run [J]
+  double fastest = 0;  ///< [m/s], of all steps
+};
+
+Course course(const Scene& scene) {
+  Course course;
+  Simulation simulation(scene);
+  std::int64_t counted = 0;
+  while (simulation.steps_done() < scene.steps()) {
+    simulation.step();
+    const Statistics s = simulation.statistics();
+    course.fastest = std::max(course.fastest, s.speed_max);
+    if (2 * simulation.steps_done() <= scene.steps()) continue;
+    course.kinetic += s.kinetic_energy;
+    ++counted;
+  }
+  course.kinetic /= double(counted);
+  return course;
+}
+
+/// The article's bound, h over the fastest speed.
+double articles_bound(const Scene& scene, const Course& course) {
+  return derive(scene).support_radius / course.fastest;
+}
+
+// The article's own fluid: steps of 15 ms obey h/v_max all the way (0.2/9.8 = 20 ms), and the fluid
+// never comes to rest: 8.6 J of motion where there should be 1.5 J.
+TEST(ArticleTimeStep, HeatsTheFluidBelowTheArticlesBound) {
+  const Scene fine = article_scene({{"time.end", "4"}});
+  const Scene coarse = article_scene({{"time.end", "4"}, {"time.step", "0.015"}});
+  const Course calm = course(fine), hot = course(coarse);
+  EXPECT_LT(derive(coarse).acoustic_step, coarse.time.step);
+  EXPECT_LT(coarse.time.step, articles_bound(coarse, hot));
+  EXPECT_GT(hot.kinetic, 3 * calm.kinetic);
+}
+
+// A stiffer fluid is no faster: h/v_max stays where it was, for the speed limit of 20 m/s keeps it
+// at 10 ms or more. But sound is ten times faster, and half of those 10 ms make the fluid boil for
+// ever: 1905 J of motion, where 247 J were there to fall.
+TEST(ArticleTimeStep, NeedsTheSpeedOfSound) {
+  const auto stiff = [](const char* step) {
+    return article_scene({{"solver.stiffness", "5000"}, {"time.step", step}, {"time.end", "0.6"}});
+  };
+  const Scene bounded = stiff("0.0005"), unbounded = stiff("0.005");
+  EXPECT_NEAR(0.000566, derive(bounded).acoustic_step, 1e-6);
+  EXPECT_STREQ("speed of sound", derive(bounded).step_bound_name());
+  const Course good = course(bounded), bad = course(unbounded);
+  EXPECT_LT(unbounded.time.step, articles_bound(unbounded, bad));
+  const double start = Simulation(bounded).statistics().potential_energy;
+  EXPECT_LT(good.kinetic, start);
+  EXPECT_GT(bad.kinetic, 5 * start);
+}
+
+}  // namespace
+}  // namespace freshet
