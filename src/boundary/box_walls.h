@@ -10,8 +10,8 @@ inline namespace FRESHET_ISA {
 /// restitution e keeps e^2 of the normal kinetic energy: 0.5 loses 75 %.
 ///
 ///   min, max     corners of the box [m];   restitution  0 to 1
-///   onto_wall    true: the particle is put onto the wall, and turned whichever way it flew (the
-///                article's clamp-and-reflect); false: mirrored at it, and turned only if outbound
+///   onto_wall    true: put onto the wall and turned, whichever way it flew (as in the article);
+///                false: put inside by restitution · its overshoot, and turned only if outbound
 template <int D> struct BoxWalls {
   Vec<D> min, max;
   Real restitution;
