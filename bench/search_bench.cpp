@@ -25,7 +25,7 @@ void search(benchmark::State& state, Search search, NeighborOrder order) {
   particles.x.data = x.data();
   particles.id.data = id.data();
   NeighborLists<2> lists;
-  for (auto _ : state) lists.build(search, order, Real(2), particles);
+  for (auto _ : state) lists.build(search, order, Real(2), particles, particles);
   state.counters["a particle"] =
       benchmark::Counter(double(state.iterations()) * double(particles.n),
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);

@@ -8,7 +8,8 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 
 add_library(freshet_flags INTERFACE)
 target_compile_options(freshet_flags INTERFACE -Wall -Wextra -Wpedantic -Werror
-                                               -ffp-contract=off -fno-math-errno)
+                                               -ffp-contract=off -fno-math-errno
+                                               -fno-trapping-math)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # g++ 12 sees overlaps and overflows inside std and fmt
   target_compile_options(freshet_flags INTERFACE -Wshadow=local -Wno-restrict -Wno-stringop-overflow
                                                  -Wno-maybe-uninitialized)

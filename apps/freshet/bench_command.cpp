@@ -43,9 +43,9 @@ Scene bench_scene(const BenchArguments& a, const std::vector<Override>& extra) {
 }
 
 /// One more repeat; the fastest counts.
-void measure(const Scene& scene, std::int64_t steps, Measured& best) {
+void measure(const Scene& scene, const Execution& execution, std::int64_t steps, Measured& best) {
   const double before = peak_memory();
-  Simulation sim(scene);
+  Simulation sim(scene, execution);
   const auto start = std::chrono::steady_clock::now();
   while (sim.steps_done() < steps) sim.step();
   const double seconds =
@@ -113,7 +113,7 @@ void bench(const BenchArguments& a) {
   std::vector<Measured> all(scenes.size());
   for (int repeat = 0; repeat < a.repeats; ++repeat)  // in turn, so that noise meets all alike
     for (std::size_t k = 0; k < scenes.size(); ++k)
-      measure(scenes[k], a.steps ? a.steps : scenes[k].steps(), all[k]);
+      measure(scenes[k], a.scene.execution(), a.steps ? a.steps : scenes[k].steps(), all[k]);
   const Ceilings c = measure_ceilings();
   if (!a.json) return print_table(values, all, c);
   const Json ceilings{{"flops", c.flops}, {"bytes_per_second", c.bytes_per_second}};

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "freshet/scene.h"
+#include "freshet/simulation.h"
 
 namespace freshet::cli {
 
@@ -16,12 +16,13 @@ enum ExitCode { done = 0, failed = 1, usage = 2, interrupted = 130 };
 struct SceneArguments {
   std::string name;
   std::vector<std::string> set;  // KEY=VALUE
-  std::string backend;
+  std::string backend, isa;
   int threads = 0;
 
   void add_to(CLI::App& command);
   Scene load() const;
   std::vector<Override> overrides() const;
+  Execution execution() const { return {threads, isa}; }
 };
 
 /// Each adds its subcommand to the program; the callback's exit code goes to `code`.

@@ -14,9 +14,9 @@ namespace freshet::cli {
 namespace {
 
 /// The seconds that one step takes, measured over a fifth of a second of steps.
-double seconds_per_step(const Scene& scene) {
+double seconds_per_step(const Scene& scene, const Execution& execution) {
   using Clock = std::chrono::steady_clock;
-  Simulation sim(scene);
+  Simulation sim(scene, execution);
   const auto start = Clock::now();
   double seconds = 0;
   while (seconds < 0.2 && sim.steps_done() < scene.steps()) {
@@ -55,7 +55,11 @@ void info(const SceneArguments& a) {
   row("time step", fmt::format("{:g} s; bounds: sound {}, gravity {}, viscosity {}", s.time.step,
                                bound(d.acoustic_step), bound(d.force_step), bound(d.viscous_step)));
   row("steps", fmt::format("{} for {:g} s", s.steps(), s.time.end));
-  const double per_step = seconds_per_step(s);
+  if (s.solver.backend == BackendName::cpu)
+    row("computed by",
+        fmt::format("{} threads, {}", thread_count(a.threads), instruction_set(a.isa)));
+  else row("computed by", "one thread, scalar (reference)");
+  const double per_step = seconds_per_step(s, a.execution());
   row("run time", fmt::format("about {:.2g} s on this machine ({:.3g} ms a step, measured)",
                               per_step * double(s.steps()), 1e3 * per_step));
   row("memory", fmt::format("{}B", short_number(peak_memory())));

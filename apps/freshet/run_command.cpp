@@ -86,6 +86,7 @@ int run_scene(const RunArguments& a, const std::vector<std::string>& command_lin
   options.scene_name = file == a.scene.name ? file.stem().string() : a.scene.name;
   options.output = a.output.empty() ? "runs/" + options.scene_name : a.output;
   options.overwrite = a.overwrite;
+  options.execution = a.scene.execution();
   options.command = command_line;
   if (!a.video.empty()) options.video = VideoOptions{a.video, a.fps};
   Progress progress(Progress::choose(a.quiet, a.log == "json"));

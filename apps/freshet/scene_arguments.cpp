@@ -28,9 +28,12 @@ void SceneArguments::add_to(CLI::App& command) {
   command.add_option("--set", set, "KEY=VALUE: change a key of the scene (TOML, else a string)")
       ->take_all()
       ->allow_extra_args(false);
-  command.add_option("--backend", backend, "what computes")->check(CLI::IsMember({"reference"}));
-  command.add_option("--threads", threads, "threads (the reference backend has one)")
+  command.add_option("--backend", backend, "what computes")
+      ->check(CLI::IsMember({"cpu", "reference"}));
+  command.add_option("--threads", threads, "threads of the cpu backend (default: all)")
       ->check(CLI::Range(1, 4096));
+  command.add_option("--isa", isa, "instruction set of the cpu backend (default: the best)")
+      ->check(CLI::IsMember({"plain", "sse42", "avx2", "avx512"}));
 }
 
 std::vector<Override> SceneArguments::overrides() const {

@@ -19,6 +19,7 @@ struct RunOptions {
   bool overwrite = false;            ///< replace the run that the folder holds
   std::string scene_name;            ///< for report.json
   std::vector<std::string> command;  ///< for manifest.json
+  Execution execution;
   std::optional<VideoOptions> video;
   /// Called after every step with the seconds that steps have taken so far; false ends the run,
   /// with all that was written whole.

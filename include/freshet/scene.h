@@ -19,7 +19,7 @@ enum class Shape { box, lattice };
 enum class Outside { error, clamp };
 enum class SolverName { mueller2003 };
 enum class Scheme { paper, article };
-enum class BackendName { reference };
+enum class BackendName { cpu, reference };
 enum class Search { grid, all_pairs };
 enum class NeighborOrder { cell, id };
 
@@ -49,7 +49,7 @@ struct Scene {
   struct Solver {
     SolverName name = SolverName::mueller2003;
     Scheme scheme = Scheme::paper;
-    BackendName backend = BackendName::reference;
+    BackendName backend = BackendName::cpu;
     Search search = Search::grid;
     NeighborOrder neighbor_order = NeighborOrder::cell;
     std::optional<double> stiffness, speed_limit;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "freshet/real.h"
@@ -21,18 +22,28 @@ struct ParticleView {
   std::size_t size() const { return id.size(); }
 };
 
+/// How the cpu backend computes. The results are the same bits, whatever is chosen.
+struct Execution {
+  int threads = 0;  ///< 0: as many as the machine has
+  std::string isa;  ///< "avx512", "avx2", "sse42" or "plain"; empty: the best that the machine has
+};
+/// The instruction set and the number of threads that such a choice comes to.
+/// Throws Error (kind scene) for a set that the machine lacks.
+std::string instruction_set(const std::string& isa);
+int thread_count(int threads);
+
 /// A simulation in memory: no file is touched, nothing is printed.
 class Simulation {
  public:
   /// Samples the scene's fluid. Throws Error (kind scene) where check_scene would.
-  explicit Simulation(Scene scene);
+  explicit Simulation(Scene scene, const Execution& execution = {});
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
-  /// One time step. Throws Error (kind run) when a particle is lost (no number any more, or ten domain
-  /// diagonals outside), which is looked for every hundredth step and after the last; the message
-  /// names the particle and the likeliest cause.
+  /// One time step. Throws Error (kind run) when a particle is lost (no number any more, or ten
+  /// domain diagonals outside), which is looked for every hundredth step and after the last; the
+  /// message names the particle and the likeliest cause.
   void step();
 
   const Scene& scene() const;

@@ -16,9 +16,10 @@ template <class T> struct Field {
 /// A field is kept (it survives sorting and restart and counts in kept_sha256) or scratch.
 enum class Keep { kept, scratch };
 
-/// The fields that every set of moving particles has. SI units.
+/// A named set of particles (the fluid, a wall ...) and the fields that every set has. SI units.
 template <int D> struct Particles {
   int n = 0;
+  int set = 0;              ///< the backend's number of the set
   Field<std::uint64_t> id;  ///< kept; never reused
   Field<Vec<D>> x, v;       ///< kept: position [m], velocity [m/s]
 };

@@ -18,11 +18,11 @@ struct Plus {
 struct Minus {
   template <class R> FRESHET_HD R operator()(R a, R b) const { return a - b; }
 };
-template <class R> struct Times {
+template <class R> struct TimesScalar {
   R s;
   FRESHET_HD R operator()(R a, R) const { return a * s; }
 };
-template <class R> struct Over {
+template <class R> struct DividedBy {
   R s;
   FRESHET_HD R operator()(R a, R) const { return a / s; }
 };
@@ -39,10 +39,10 @@ template <int D, class R> FRESHET_HD Vec<D, R> operator-(Vec<D, R> a, Vec<D, R> 
   return each(a, b, Minus{});
 }
 template <int D, class R> FRESHET_HD Vec<D, R> operator*(std::type_identity_t<R> s, Vec<D, R> a) {
-  return each(a, a, Times<R>{s});
+  return each(a, a, TimesScalar<R>{s});
 }
 template <int D, class R> FRESHET_HD Vec<D, R> operator/(Vec<D, R> a, std::type_identity_t<R> s) {
-  return each(a, a, Over<R>{s});
+  return each(a, a, DividedBy<R>{s});
 }
 template <int D, class R> FRESHET_HD Vec<D, R>& operator+=(Vec<D, R>& a, Vec<D, R> b) {
   return a = a + b;

@@ -11,7 +11,8 @@ namespace freshet {
 /// Who made a run, for its manifest.
 struct Provenance {
   std::vector<std::string> command;
-  std::string backend;
+  std::string backend, isa;
+  int threads = 1;
 };
 
 /// The folder of a run, which one run at a time may write into. manifest.json names every file from

@@ -12,7 +12,9 @@ template <int D, template <int> class Kernel> struct Density {
   Kernel<D> W;
   Real m;
   template <class R> using At = Nothing<R>;
+  template <class R> using Neighbor = Nothing<R>;
   FRESHET_HD At<Real> at(int) const { return {}; }
+  FRESHET_HD Neighbor<Real> neighbor(int) const { return {}; }
   template <class R> FRESHET_HD R operator()(const Pair<D, R>& ij, At<R>, At<R>) const {
     return m * W(ij);
   }

@@ -35,7 +35,9 @@ template <int D> struct Mueller2003Forces {
     R p, rho;
     Vec<D, R> v;
   };
+  template <class R> using Neighbor = At<R>;
   FRESHET_HD At<Real> at(int i) const { return {p[i], rho[i], v[i]}; }
+  FRESHET_HD Neighbor<Real> neighbor(int j) const { return at(j); }
   template <class R>
   FRESHET_HD ForceDensities<D, R> operator()(const Pair<D, R>& ij, const At<R>& i,
                                              const At<R>& j) const {

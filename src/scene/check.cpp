@@ -94,6 +94,18 @@ void check_particles(const Scene& s, Findings& out) {
                           support, 8 * sizeof(Real), support < 1 ? "up" : "down"));
 }
 
+void check_backend(const Scene& s, Findings& out) {
+  if (s.solver.backend == BackendName::reference) return;
+  if (s.solver.neighbor_order == NeighborOrder::id)
+    out.error("solver.neighbor_order",
+              "solver.neighbor_order = \"id\" is the reference's only; set "
+              "solver.backend = \"reference\", or choose \"cell\"");
+  if (s.solver.search == Search::all_pairs)
+    out.error("solver.search",
+              "solver.search = \"all_pairs\" is the reference's only; set "
+              "solver.backend = \"reference\", or choose \"grid\"");
+}
+
 void check_scheme(const Scene& s, Findings& out) {
   if (s.solver.scheme == Scheme::article) {
     if (!s.particles.mass)
@@ -274,6 +286,7 @@ std::vector<Diagnostic> contradictions(const Scene& scene,
     findings.error("fluid", "there is no fluid; add a [fluid] table");
   if (read("particles") && read("fluid")) check_fluids(scene, inside, findings);
   if (read("particles") && read("solver")) check_scheme(scene, findings);
+  if (read("solver")) check_backend(scene, findings);
   if (read("time")) check_time(scene, findings);
   if (read("time") && read("output")) check_frames(scene, findings);
   return std::move(findings.list);

@@ -32,8 +32,12 @@ void solver_keys(KeyVisitor& v, Scene::Solver& s) {
            {.unit = "",
             .text = "`paper`: the equations as published; `article`: as the teaching article runs "
                     "them (see docs/article.md for the five differences)"});
-  v.choice("backend", s.backend, backend_words,
-           {.unit = "", .text = "what computes: `reference` is scalar and ordered"});
+  v.choice(
+      "backend", s.backend, backend_words,
+      {.unit = "",
+       .text =
+           "what computes: `cpu` has threads and SIMD; `reference` is scalar, the truth that `cpu` "
+           "equals to the bit"});
   v.choice("search", s.search, search_words,
            {.unit = "", .text = "how neighbours are found: O(N) or O(N²), to the same bits"});
   v.choice("neighbor_order", s.neighbor_order, order_words,

@@ -28,7 +28,7 @@ inline constexpr const char* shape_words[] = {"box", "lattice"};
 inline constexpr const char* outside_words[] = {"error", "clamp"};
 inline constexpr const char* solver_words[] = {"mueller2003"};
 inline constexpr const char* scheme_words[] = {"paper", "article"};
-inline constexpr const char* backend_words[] = {"reference"};
+inline constexpr const char* backend_words[] = {"cpu", "reference"};
 inline constexpr const char* search_words[] = {"grid", "all_pairs"};
 inline constexpr const char* order_words[] = {"cell", "id"};
 

@@ -12,7 +12,8 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
  public:
   EngineOf(Backend backend, Solver solver, const Sample& sample)
       : backend_(std::move(backend)), solver_(std::move(solver)) {
-    const int n = fluid_.n = int(sample.x.size() / D);
+    const int n = int(sample.x.size() / D);
+    backend_.add_set(fluid_, n);
     allocate("id", Keep::kept, fluid_.id);
     allocate("x", Keep::kept, fluid_.x);
     allocate("v", Keep::kept, fluid_.v);
@@ -39,7 +40,7 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
 
  private:
   template <class T> void allocate(const char* name, Keep keep, Field<T>& field) {
-    field.data = backend_.template allocate<T>(fluid_.n);
+    backend_.allocate(fluid_, keep, field);
     if (keep == Keep::kept)
       kept_.push_back({name, reinterpret_cast<const std::byte*>(field.data), sizeof(T)});
   }

@@ -55,6 +55,13 @@ std::vector<CheckResult> evaluate(const Scene::Checks& c, const Report& r) {
   return all;
 }
 
+Provenance provenance(const Scene& scene, const RunOptions& options) {
+  const bool cpu = scene.solver.backend == BackendName::cpu;
+  return {options.command, backend_words[int(scene.solver.backend)],
+          cpu ? instruction_set(options.execution.isa) : "plain",
+          cpu ? thread_count(options.execution.threads) : 1};
+}
+
 /// The run's pictures and tables, written as the run goes.
 class Observer {
  public:
@@ -63,7 +70,7 @@ class Observer {
         schedule_(sim.scene()),
         video_(options.video),
         folder_(options.output, options.overwrite, planned_files(schedule_),
-                {options.command, backend_words[int(sim.scene().solver.backend)]}) {
+                provenance(sim.scene(), options)) {
     folder_.write("scene.toml", sim.scene().source);
     const auto& picture = sim.scene().picture;
     if (video_) film_.emplace(video_->file, int(picture.width), int(picture.height), video_->fps);
@@ -145,7 +152,7 @@ Report report_of(const Simulation& sim, const RunOptions& options) {
 }  // namespace
 
 Report run(const Scene& scene, const RunOptions& options) {
-  Simulation sim(scene);
+  Simulation sim(scene, options.execution);
   if (options.video) Video::check(options.video->file, options.overwrite);
   Observer observer(sim, options);
   try {

@@ -9,17 +9,12 @@
 #include <numeric>
 
 #include "io/sha256.h"
-#include "sim/engine.h"
+#include "sim/engines/select.h"
 
 namespace freshet {
 namespace {
 
 constexpr std::int64_t steps_between_looks = 100;
-
-/// The one place that knows all solvers and all backends.
-std::unique_ptr<Engine> make_engine(const Scene& scene, const Derived& derived) {
-  return make_reference_mueller2003_2d(scene, derived, sample(scene));
-}
 
 std::vector<std::size_t> order_by_id(const ParticleView& fluid) {
   std::vector<std::size_t> order(fluid.size());
@@ -34,9 +29,9 @@ static_assert(std::endian::native == std::endian::little, "digests are over litt
 }  // namespace
 
 struct Simulation::Impl {
-  explicit Impl(Scene s) : scene(std::move(s)) {
+  Impl(Scene s, const Execution& execution) : scene(std::move(s)) {
     derived = derive(scene);
-    engine = make_engine(scene, derived);
+    engine = make_engine(scene, derived, execution);
   }
   void look_for_failure() const;
   [[noreturn]] void fail(std::uint64_t id, double x, double y) const;
@@ -47,7 +42,8 @@ struct Simulation::Impl {
   std::int64_t steps = 0;
 };
 
-Simulation::Simulation(Scene scene) : impl_(std::make_unique<Impl>(std::move(scene))) {}
+Simulation::Simulation(Scene scene, const Execution& execution)
+    : impl_(std::make_unique<Impl>(std::move(scene), execution)) {}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;

@@ -2,15 +2,17 @@
 #pragma once
 #include <concepts>
 
-#include "core/field.h"
+#include "core/over.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
 
 struct AnyTerm {  ///< the least that a pair term has
   template <class R> struct At { R a; };
+  template <class R> struct Neighbor { R b; };
   At<Real> at(int) const;
-  template <class P, class R> R operator()(const P&, At<R>, At<R>) const;
+  Neighbor<Real> neighbor(int) const;
+  template <class P, class R> R operator()(const P&, At<R>, Neighbor<R>) const;
 };
 struct AnyFinish {
   void operator()(int, Real) const;
@@ -25,18 +27,19 @@ struct AnyMap {
 /// The verbs that a solver is written in. The name that each call carries labels the timing table.
 /// A pass sees every field as it was before the pass.
 template <class B, int D>
-concept Backend = requires(B b, Particles<D> p, Real h, AnyTerm term, AnyFinish finish,
-                           AnyVisit visit, AnyMap map) {
-  /// For every i the neighbours j with |x_ij| < h, i itself among them.
-  b.find_neighbors("", h, p);
-  /// finish(i, sum_j term(pair, at(i), at(j))) over the neighbours, in the backend's fixed order.
-  b.sum_pairs("", p, term, finish);
+concept Backend = requires(B b, Particles<D> p, Particles<D> wall, Real h, AnyTerm term,
+                           AnyFinish finish, AnyVisit visit, AnyMap map) {
+  /// For every i of p the particles j of each set with |x_ij| < h, i itself among them. May sort
+  /// the fields of p.
+  b.find_neighbors("", h, p, wall);
+  /// finish(i, sum_j term(pair, at(i), neighbor(j))), set by set, cell by cell, by id in a cell.
+  b.sum_pairs("", p, over(p, term), finish);
+  b.sum_pairs("", p, over(p, term), over(wall, term), finish);
   /// visit(i) for every particle.
   b.for_each("", p, visit);
   /// Copies of particles (periodic images, ghosts, halos) learn new values of these fields.
   b.share("", p.x, p.v);
-  /// sum_i map(i) and max_i map(i), independent of threads.
-  { b.sum("", p, map) } -> std::convertible_to<double>;
+  /// max_i map(i), independent of threads.
   { b.max("", p, map) } -> std::convertible_to<double>;
 };
 

@@ -22,12 +22,12 @@ template <int D> struct Mueller2003Parameters {
 
 template <int D> struct Mueller2003Fluid : Particles<D> {
   Field<Vec<D>> a;       ///< kept: acceleration, for the first kick of the next step
-  Field<Vec<D>> v_half;  ///< scratch: velocity at the middle of the step
+  Field<Vec<D>> v_half;  ///< kept (the search sorts within a step): velocity at its middle
   Field<Real> rho, p;    ///< scratch
 
   template <class Visit> void fields(Visit visit) {
     visit("a", Keep::kept, a);
-    visit("v_half", Keep::scratch, v_half);
+    visit("v_half", Keep::kept, v_half);
     visit("rho", Keep::scratch, rho);
     visit("p", Keep::scratch, p);
   }
@@ -81,7 +81,7 @@ template <int D, Backend<D> B> struct Mueller2003 {
     const auto c = this->c;
     const auto f = fluid;
     backend.find_neighbors("neighbors", c.h, f);
-    backend.sum_pairs("density", f, Density{Poly6<D>(c.h), c.m_density},
+    backend.sum_pairs("density", f, over(f, Density{Poly6<D>(c.h), c.m_density}),
                       [=] FRESHET_LAMBDA(int i, Real sum) {
                         f.rho[i] = sum;                      // eq. 3
                         f.p[i] = c.k * (f.rho[i] - c.rho0);  // eq. 12
@@ -89,9 +89,10 @@ template <int D, Backend<D> B> struct Mueller2003 {
     backend.share("rho, p", f.rho, f.p);
     const Mueller2003Forces<D> forces{
         Spiky<D>(c.h, c.spiky_factor), ViscosityKernel<D>(c.h), c.m, c.mu, f.p, f.rho, f.v};
-    backend.sum_pairs("forces", f, forces, [=] FRESHET_LAMBDA(int i, ForceDensities<D, Real> sum) {
-      f.a[i] = (sum.pressure + sum.viscosity) / f.rho[i] + c.gravity;  // eq. 8
-    });
+    backend.sum_pairs("forces", f, over(f, forces),
+                      [=] FRESHET_LAMBDA(int i, ForceDensities<D, Real> sum) {
+                        f.a[i] = (sum.pressure + sum.viscosity) / f.rho[i] + c.gravity;  // eq. 8
+                      });
   }
 };
 

@@ -22,13 +22,14 @@ Vec<2, double> momentum(const FreePatch& patch, Real m) {
 void step_by_hand(FreePatch& patch, const Mueller2003Parameters<2>& c, bool divide) {
   const auto f = patch.fluid;
   patch.backend.find_neighbors("neighbors", c.h, f);
-  patch.backend.sum_pairs("density", f, Density{Poly6<2>(c.h), c.m_density}, [&](int i, Real sum) {
-    f.rho[i] = sum;
-    f.p[i] = c.k * (sum - c.rho0);
-  });
+  patch.backend.sum_pairs("density", f, over(f, Density{Poly6<2>(c.h), c.m_density}),
+                          [&](int i, Real sum) {
+                            f.rho[i] = sum;
+                            f.p[i] = c.k * (sum - c.rho0);
+                          });
   const Forces forces{
       Spiky<2>(c.h, c.spiky_factor), ViscosityKernel<2>(c.h), c.m, c.mu, f.p, f.rho, f.v};
-  patch.backend.sum_pairs("forces", f, forces, [&](int i, const Densities& sum) {
+  patch.backend.sum_pairs("forces", f, over(f, forces), [&](int i, const Densities& sum) {
     f.a[i] = (sum.pressure + sum.viscosity) / (divide ? f.rho[i] : Real(1));
   });
   patch.backend.for_each("kick, drift", f, [&](int i) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <limits>
-#include <type_traits>
 
 #include "backend/reference/reference_backend.h"
 #include "solvers/mueller2003.h"
@@ -19,13 +18,13 @@ struct FreePatch {
   Mueller2003Fluid<2> fluid;
 
   FreePatch() {
-    const int n = fluid.n = side * side;
-    fluid.id.data = backend.allocate<std::uint64_t>(n);
-    fluid.x.data = backend.allocate<Vec<2>>(n);
-    fluid.v.data = backend.allocate<Vec<2>>(n);
-    fluid.fields([&](const char*, Keep, auto& field) {
-      field.data = backend.allocate<std::remove_reference_t<decltype(field[0])>>(n);
-    });
+    const int n = side * side;
+    backend.add_set(fluid, n);
+    backend.allocate(fluid, Keep::kept, fluid.id);
+    backend.allocate(fluid, Keep::kept, fluid.x);
+    backend.allocate(fluid, Keep::kept, fluid.v);
+    fluid.fields(
+        [&](const char*, Keep keep, auto& field) { backend.allocate(fluid, keep, field); });
     for (int i = 0; i < n; ++i) {
       const Real x = Real(i % side) * spacing, y = Real(i / side) * spacing;
       fluid.id[i] = std::uint64_t(i);

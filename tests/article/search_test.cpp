@@ -26,8 +26,8 @@ TEST(ArticleSearch, GridFindsWhatAllPairsFind) {
   for (const Real h : {Real(0.2), Real(0.3), Real(0.5)})
     for (const NeighborOrder order : {NeighborOrder::id, NeighborOrder::cell}) {
       NeighborLists<2> grid, all_pairs;
-      grid.build(Search::grid, order, h, p);
-      all_pairs.build(Search::all_pairs, order, h, p);
+      grid.build(Search::grid, order, h, p, p);
+      all_pairs.build(Search::all_pairs, order, h, p, p);
       for (int i = 0; i < p.n; ++i)
         ASSERT_TRUE(
             std::equal(grid[i].begin(), grid[i].end(), all_pairs[i].begin(), all_pairs[i].end()))
@@ -52,7 +52,7 @@ Candidates candidates(int side, double h) {
   CellGrid<2> grid;
   grid.build(Real(h), p.x, p.n);
   Candidates c;
-  grid.for_each([&](const auto&, const auto& near) {
+  grid.for_each(grid, [&](const auto&, const auto& near) {
     c.most = std::max(c.most, near.size());
     c.mean += double(near.size()) / p.n;
   });

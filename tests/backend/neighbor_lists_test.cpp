@@ -8,8 +8,7 @@
 namespace freshet {
 namespace {
 
-template <int D>
-struct Cloud {
+template <int D> struct Cloud {
   std::vector<Vec<D>> x;
   std::vector<std::uint64_t> id;
   Particles<D> particles;
@@ -32,18 +31,14 @@ template <int D>
 std::vector<std::vector<int>> rows(Search search, NeighborOrder order, Real h,
                                    const Particles<D>& p) {
   NeighborLists<D> lists;
-  lists.build(search, order, h, p);
+  lists.build(search, order, h, p, p);
   std::vector<std::vector<int>> all;
   for (int i = 0; i < p.n; ++i) all.emplace_back(lists[i].begin(), lists[i].end());
   return all;
 }
 
-template <class T>
-class NeighborListsOf : public ::testing::Test {};
-template <int d>
-struct Dimension {
-  static constexpr int D = d;
-};
+template <class T> class NeighborListsOf : public ::testing::Test {};
+template <int d> struct Dimension { static constexpr int D = d; };
 using Dimensions = ::testing::Types<Dimension<2>, Dimension<3>>;
 TYPED_TEST_SUITE(NeighborListsOf, Dimensions);
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/cell.h"
 #include "core/field.h"
 
 namespace freshet {
@@ -15,66 +16,44 @@ inline namespace FRESHET_ISA {
 /// the support radius. Memory depends on the number of particles, never on how far they have flown.
 template <int D> class CellGrid {
  public:
-  struct Cell {
-    std::int64_t c[D];
-    bool operator==(const Cell& o) const {
-      bool same = true;
-      for (int d = 0; d < D; ++d) same &= c[d] == o.c[d];
-      return same;
-    }
-    bool operator<(const Cell& o) const {  // row-major: x fastest
-      for (int d = D - 1; d > 0; --d)
-        if (c[d] != o.c[d]) return c[d] < o.c[d];
-      return c[0] < o.c[0];
-    }
-  };
   struct Entry {
     Vec<D> x;
     int index;
   };
   void build(Real support_radius, Field<Vec<D>> x, int n) {
-    inverse_ = 1 / (double(support_radius) * (1 + 1e-9));
+    cell_of_ = Cells<D>(support_radius);
     sort_by_bucket(x, n);
     part_into_groups();
   }
 
-  /// visit(entry, candidates) for every particle. The candidates are those of its cell and the
-  /// cells around it, cell by cell in row-major order (x fastest), ascending in a cell; they are
-  /// gathered once for all particles of a cell, which then walk one row of equal length.
-  template <class Visit> void for_each(const Visit& visit) {
+  /// visit(entry, candidates) for every particle of this grid. The candidates are the particles of
+  /// `sources` in its cell and the cells around it, cell by cell in row-major order (x fastest),
+  /// ascending in a cell; they are gathered once for all particles of a cell, which then walk one
+  /// row of equal length.
+  template <class Visit> void for_each(const CellGrid& sources, const Visit& visit) {
     constexpr int around = D == 3 ? 27 : 9;
     for (const Group& group : groups_) {
       candidates_.clear();
       for (int k = 0; k < around; ++k) {
-        Cell cell = group.cell;
+        Cell<D> cell = group.cell;
         for (int d = 0, part = k; d < D; ++d, part /= 3) cell.c[d] += part % 3 - 1;
-        if (const Group* near = find(cell))
-          candidates_.insert(candidates_.end(), entries_.begin() + near->first,
-                             entries_.begin() + near->last);
+        if (const Group* near = sources.find(cell))
+          candidates_.insert(candidates_.end(), sources.entries_.begin() + near->first,
+                             sources.entries_.begin() + near->last);
       }
       for (int at = group.first; at < group.last; ++at) visit(entries_[at], candidates_);
     }
   }
 
-  /// In doubles, and with cells a hair larger than the support radius, so that no rounding parts
-  /// neighbours by two cells. A NaN or a flight beyond all bounds lands in some cell, harmlessly.
-  Cell cell_of(Vec<D> x) const {
-    Cell cell;
-    for (int d = 0; d < D; ++d) {
-      const double c = double(component(x, d)) * inverse_;
-      const auto toward_zero = std::abs(c) < 1e18 ? std::int64_t(c) : 0;
-      cell.c[d] = toward_zero - (double(toward_zero) > c);
-    }
-    return cell;
-  }
+  Cell<D> cell_of(Vec<D> x) const { return cell_of_(x); }
 
  private:
   struct Group {  // the particles of one cell
-    Cell cell;
+    Cell<D> cell;
     int first, last;
   };
 
-  std::size_t bucket(const Cell& cell) const {
+  std::size_t bucket(const Cell<D>& cell) const {
     std::uint64_t hash = 0;
     for (const std::int64_t c : cell.c) {
       hash = (hash ^ std::uint64_t(c)) * 0x9E3779B97F4A7C15u;
@@ -106,7 +85,7 @@ template <int D> class CellGrid {
       if (!std::is_sorted(entries_.begin() + begin, entries_.begin() + end, less))
         std::stable_sort(entries_.begin() + begin, entries_.begin() + end, less);
       for (int at = begin; at < end; ++at) {
-        const Cell cell = cell_of(entries_[at].x);
+        const Cell<D> cell = cell_of(entries_[at].x);
         if (at == begin || !(groups_.back().cell == cell)) groups_.push_back({cell, at, at});
         groups_.back().last = at + 1;
       }
@@ -114,14 +93,14 @@ template <int D> class CellGrid {
     first_.back() = int(groups_.size());
   }
 
-  const Group* find(const Cell& cell) const {
+  const Group* find(const Cell<D>& cell) const {
     const std::size_t b = bucket(cell);
     for (int g = first_[b]; g < first_[b + 1]; ++g)
       if (groups_[g].cell == cell) return &groups_[g];
     return nullptr;
   }
 
-  double inverse_ = 1;
+  Cells<D> cell_of_;
   std::vector<Entry> entries_, candidates_;
   std::vector<Group> groups_;
   std::vector<std::size_t> bucket_of_;

@@ -8,7 +8,7 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// For every particle the particles j with |x_ij| < h, itself among them, in one of two orders,
+/// For every target the sources j with |x_ij| < h (itself among them), in one of two orders,
 /// whichever way they were found.
 template <int D> class NeighborLists {
  public:
@@ -19,20 +19,24 @@ template <int D> class NeighborLists {
   };
   Row operator[](int i) const { return {list_.data() + begin_[i], list_.data() + end_[i]}; }
 
-  void build(Search search, NeighborOrder order, Real h, const Particles<D>& p) {
-    begin_.resize(std::size_t(p.n));
-    end_.resize(std::size_t(p.n));
+  void build(Search search, NeighborOrder order, Real h, const Particles<D>& targets,
+             const Particles<D>& sources) {
+    begin_.resize(std::size_t(targets.n));
+    end_.resize(std::size_t(targets.n));
     size_ = 0;
-    grid_.build(h, p.x, p.n);
-    if (search == Search::grid) by_grid(h * h);
-    else by_all_pairs(h * h, p);
-    if (search == Search::grid && order == NeighborOrder::id) sort_by_id(p.n);
-    if (search == Search::all_pairs && order == NeighborOrder::cell) sort_by_cell(p);
+    target_grid_.build(h, targets.x, targets.n);
+    const bool same = targets.x.data == sources.x.data;
+    if (!same) source_grid_.build(h, sources.x, sources.n);
+    if (search == Search::grid) by_grid(h * h, same ? target_grid_ : source_grid_);
+    else by_all_pairs(h * h, targets, sources);
+    if (search == Search::grid && order == NeighborOrder::id) sort_by_id(targets.n, same);
+    if (search == Search::all_pairs && order == NeighborOrder::cell)
+      sort_by_cell(targets.n, sources);
   }
 
  private:
-  void by_grid(Real h2) {
-    grid_.for_each([&](const auto& i, const auto& candidates) {
+  void by_grid(Real h2, const CellGrid<D>& sources) {
+    target_grid_.for_each(sources, [&](const auto& i, const auto& candidates) {
       int* out = start_row(i.index, candidates.size());
       for (const auto& j : candidates) {
         *out = j.index;  // stays only if j is near: no branch to mispredict
@@ -42,17 +46,22 @@ template <int D> class NeighborLists {
     });
   }
 
-  void by_all_pairs(Real h2, const Particles<D>& p) {
-    for (int i = 0; i < p.n; ++i) {
-      int* out = start_row(i, std::size_t(p.n));
-      for (int j = 0; j < p.n; ++j)
-        if (norm2(p.x[i] - p.x[j]) < h2) *out++ = j;
+  void by_all_pairs(Real h2, const Particles<D>& targets, const Particles<D>& sources) {
+    for (int i = 0; i < targets.n; ++i) {
+      int* out = start_row(i, std::size_t(sources.n));
+      for (int j = 0; j < sources.n; ++j)
+        if (norm2(targets.x[i] - sources.x[j]) < h2) *out++ = j;
       end_row(i, out);
     }
   }
 
-  /// Ascending rows without a comparison: j in turn is handed to all whom it neighbours.
-  void sort_by_id(int n) {
+  void sort_by_id(int n, bool same) {
+    if (!same) {
+      for (int i = 0; i < n; ++i) std::sort(list_.begin() + begin_[i], list_.begin() + end_[i]);
+      return;
+    }
+    // Who neighbours me is my neighbour: handing each j in turn to its neighbours leaves every row
+    // in ascending order, without a comparison.
     sorted_.resize(size_);
     cursor_ = begin_;
     for (int j = 0; j < n; ++j)
@@ -60,11 +69,11 @@ template <int D> class NeighborLists {
     list_.swap(sorted_);
   }
 
-  /// Row-major order of cells, then id, as the grid visits them.
-  void sort_by_cell(const Particles<D>& p) {
-    for (int i = 0; i < p.n; ++i)
+  /// Row-major order of cells, then index, as the grid visits them.
+  void sort_by_cell(int targets, const Particles<D>& sources) {
+    for (int i = 0; i < targets; ++i)
       std::sort(list_.begin() + begin_[i], list_.begin() + end_[i], [&](int a, int b) {
-        const auto ca = grid_.cell_of(p.x[a]), cb = grid_.cell_of(p.x[b]);
+        const auto ca = target_grid_.cell_of(sources.x[a]), cb = target_grid_.cell_of(sources.x[b]);
         return ca == cb ? a < b : ca < cb;
       });
   }
@@ -79,7 +88,7 @@ template <int D> class NeighborLists {
     end_[i] = std::ptrdiff_t(size_);
   }
 
-  CellGrid<D> grid_;
+  CellGrid<D> target_grid_, source_grid_;
   std::vector<int> list_, sorted_;
   std::vector<std::ptrdiff_t> begin_, end_, cursor_;
   std::size_t size_ = 0;  // of list_, which keeps room to spare

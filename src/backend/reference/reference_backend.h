@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <algorithm>
-#include <chrono>
-#include <cstring>
 #include <limits>
+#include <map>
 #include <memory>
-#include <string>
 
 #include "backend/reference/neighbor_lists.h"
-#include "freshet/report.h"
-#include "freshet/scene.h"
+#include "backend/timings.h"
+#include "core/over.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
@@ -21,95 +19,96 @@ template <int D> class ReferenceBackend {
   explicit ReferenceBackend(Search search = Search::grid, NeighborOrder order = NeighborOrder::cell)
       : search_(search), order_(order) {}
 
-  /// Memory for one T a particle, all zeros; the backend owns it.
-  template <class T> T* allocate(int n) {
-    memory_.push_back(std::make_unique<std::byte[]>(sizeof(T) * std::size_t(n)));
-    return reinterpret_cast<T*>(memory_.back().get());
+  /// Gives the set its number; particles and fields follow.
+  void add_set(Particles<D>& set, int n) {
+    set.n = n;
+    set.set = sets_++;
   }
-  const std::vector<VerbTiming>& timings() const { return timings_; }
+  /// Memory for one T a particle, all zeros; the backend owns it.
+  template <class T> void allocate(const Particles<D>& set, Keep, Field<T>& field) {
+    memory_.push_back(std::make_unique<std::byte[]>(sizeof(T) * std::size_t(set.n)));
+    field.data = reinterpret_cast<T*>(memory_.back().get());
+  }
+  const std::vector<VerbTiming>& timings() const { return timings_.list(); }
 
-  void find_neighbors(const char* name, Real support_radius, const Particles<D>& p) {
-    const Timer timer(*this, name, p.n);
-    neighbors_.build(search_, order_, support_radius, p);
+  template <class... Sets>
+  void find_neighbors(const char* name, Real support_radius, const Particles<D>& moving,
+                      const Sets&... fixed) {
+    const auto timer = timings_.time(name, moving.n);
+    list(support_radius, moving, moving);
+    (list(support_radius, moving, fixed), ...);
   }
 
   template <class Term, class Finish>
-  void sum_pairs(const char* name, const Particles<D>& p, const Term& term, const Finish& finish) {
-    const Timer timer(*this, name, p.n);
-    using At = typename Term::template At<Real>;
-    using Sum = decltype(term(std::declval<Pair<D, Real>>(), At{}, At{}));
-    const auto n = std::size_t(p.n);
-    At* at = scratch<At>(at_memory_, n);  // every term sees the fields as they were before the pass
-    Sum* sums = scratch<Sum>(sum_memory_, n);
-    for (int i = 0; i < p.n; ++i) at[i] = term.at(i);
-    for (int i = 0; i < p.n; ++i) {
-      Sum sum{};
-      for (const int j : neighbors_[i]) sum += term(Pair<D, Real>(p.x[i] - p.x[j]), at[i], at[j]);
-      sums[i] = sum;
-    }
-    for (int i = 0; i < p.n; ++i) finish(i, sums[i]);
+  void sum_pairs(const char* name, const Particles<D>& targets, const Over<D, Term>& sources,
+                 const Finish& finish) {
+    sum_over(name, targets, finish, sources);
+  }
+  template <class TermA, class TermB, class Finish>
+  void sum_pairs(const char* name, const Particles<D>& targets, const Over<D, TermA>& a,
+                 const Over<D, TermB>& b, const Finish& finish) {
+    sum_over(name, targets, finish, a, b);
   }
 
   template <class Visit>
   void for_each(const char* name, const Particles<D>& p, const Visit& visit) {
-    const Timer timer(*this, name, p.n);
+    const auto timer = timings_.time(name, p.n);
     for (int i = 0; i < p.n; ++i) visit(i);
   }
 
   template <class... Fields> void share(const char*, Fields...) {}  // nothing is copied here
 
-  template <class Map> double sum(const char* name, const Particles<D>& p, const Map& map) {
-    const Timer timer(*this, name, p.n);
-    double total = 0;
-    for (int i = 0; i < p.n; ++i) total += double(map(i));
-    return total;
-  }
   template <class Map> double max(const char* name, const Particles<D>& p, const Map& map) {
-    const Timer timer(*this, name, p.n);
+    const auto timer = timings_.time(name, p.n);
     double most = -std::numeric_limits<double>::infinity();
     for (int i = 0; i < p.n; ++i) most = std::max(most, double(map(i)));
     return most;
   }
 
  private:
-  /// Adds the time of a scope to the verb of that name.
-  class Timer {
-   public:
-    Timer(ReferenceBackend& b, const char* name, int n) : b_(b), index_(b.timing(name)) {
-      b_.timings_[index_].calls += 1;
-      b_.timings_[index_].targets += n;
-    }
-    Timer(const Timer&) = delete;
-    ~Timer() {
-      const std::chrono::duration<double> taken = Clock::now() - start_;
-      b_.timings_[index_].seconds += taken.count();
-    }
+  void list(Real h, const Particles<D>& targets, const Particles<D>& sources) {
+    lists_[{targets.set, sources.set}].build(search_, order_, h, targets, sources);
+  }
 
-   private:
-    using Clock = std::chrono::steady_clock;
-    ReferenceBackend& b_;
-    std::size_t index_;
-    Clock::time_point start_ = Clock::now();
-  };
+  template <class Finish, class First, class... More>
+  void sum_over(const char* name, const Particles<D>& targets, const Finish& finish,
+                const First& first, const More&... more) {
+    const auto timer = timings_.time(name, targets.n);
+    using Sum = typename First::template Sum<Real>;
+    Sum* sums = scratch<Sum>(sum_memory_, std::size_t(targets.n));
+    std::fill_n(sums, targets.n, Sum{});
+    add(targets, first, sums);
+    (add(targets, more, sums), ...);
+    for (int i = 0; i < targets.n; ++i) finish(i, sums[i]);  // after all sums: they see old fields
+  }
 
-  std::size_t timing(const char* name) {
-    for (std::size_t k = 0; k < timings_.size(); ++k)
-      if (timings_[k].name == name) return k;
-    timings_.push_back({name});
-    return timings_.size() - 1;
+  template <class Term, class Sum>
+  void add(const Particles<D>& targets, const Over<D, Term>& sources, Sum* sums) {
+    using Neighbor = typename Term::template Neighbor<Real>;
+    const auto& lists = lists_.at({targets.set, sources.set.set});
+    Neighbor* neighbor = scratch<Neighbor>(neighbor_memory_, std::size_t(sources.set.n));
+    for (int j = 0; j < sources.set.n; ++j) neighbor[j] = sources.term.neighbor(j);
+    for (int i = 0; i < targets.n; ++i) {
+      const auto at_i = sources.term.at(i);
+      Sum sum = sums[i];
+      for (const int j : lists[i])
+        sum += sources.term(Pair<D, Real>(targets.x[i] - sources.set.x[j]), at_i, neighbor[j]);
+      sums[i] = sum;
+    }
   }
 
   template <class T> static T* scratch(std::vector<std::byte>& memory, std::size_t n) {
     if (memory.size() < n * sizeof(T)) memory.resize(n * sizeof(T));
-    return std::uninitialized_default_construct_n(reinterpret_cast<T*>(memory.data()), n) - n;
+    return reinterpret_cast<T*>(memory.data());
   }
 
   Search search_;
   NeighborOrder order_;
-  NeighborLists<D> neighbors_;
-  std::vector<std::byte> at_memory_, sum_memory_;
+  int sets_ = 0;
+  std::map<std::pair<int, int>, NeighborLists<D>> lists_;  // by targets and sources
+  std::vector<std::byte> neighbor_memory_, sum_memory_;
   std::vector<std::unique_ptr<std::byte[]>> memory_;
-  std::vector<VerbTiming> timings_;
+  Timings timings_;
 };
 
 }  // namespace FRESHET_ISA

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What is compiled for one instruction set must not be taken for another: a linker keeps one of
+// many equal inline functions, and an AVX-512 one would end an older machine's run.
+#include <gtest/gtest.h>
+
+#ifdef OBJECTS_avx512
+
+#include <cstdio>
+#include <map>
+#include <set>
+#include <string>
+
+namespace {
+
+/// The weak symbols that the objects define.
+std::set<std::string> weak_symbols(const std::string& objects) {
+  std::set<std::string> all;
+  FILE* nm = popen(("nm --defined-only -C " + objects).c_str(), "r");
+  if (!nm) return all;
+  static char line[1 << 16];
+  while (std::fgets(line, sizeof line, nm)) {  // ADDRESS TYPE NAME
+    const std::string text(line);
+    if (text.size() > 19 && std::string("WVu").find(text[17]) != std::string::npos)
+      all.insert(text.substr(19));
+  }
+  pclose(nm);
+  return all;
+}
+
+const std::map<std::string, std::string> objects{
+    {"sse42", OBJECTS_sse42}, {"avx2", OBJECTS_avx2}, {"avx512", OBJECTS_avx512}};
+
+// Every weak symbol names its instruction set, in a name of ours or as an argument of a template;
+// or it is common, and then the baseline, which is linked first, has it too.
+TEST(Symbols, BelongToOneInstructionSetOrToTheBaseline) {
+  const std::set<std::string> base = weak_symbols(OBJECTS_base);
+  EXPECT_GT(base.size(), 20u);
+  for (const auto& [isa, files] : objects) {
+    const std::set<std::string> weak = weak_symbols(files);
+    EXPECT_GT(weak.size(), 20u) << isa;
+    for (const std::string& name : weak)
+      EXPECT_TRUE(name.find("freshet::" + isa + "::") != std::string::npos || base.contains(name))
+          << isa << ": " << name;
+  }
+}
+
+}  // namespace
+
+#endif
