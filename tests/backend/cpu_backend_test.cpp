@@ -3,8 +3,13 @@
 // on any number of threads.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "backend/cpu/cpu_backend.h"
+#include "backend/reference/reference_backend.h"
 #include "freshet/simulation.h"
+#include "kernels/poly6.h"
+#include "pairs/density.h"
 #include "solvers/backend.h"
 
 namespace freshet {
@@ -79,6 +84,41 @@ fluid = [ { min = [0, 0], max = [5, 5], velocity = [1, 2] },
     return sim.state_sha256();
   };
   EXPECT_EQ(state("reference"), state("cpu"));
+}
+
+/// Densities by id in a cloud of fluid that a cloud of wall surrounds: a sum over two sets, in 3D.
+template <class AnyBackend> std::vector<Real> densities(AnyBackend backend) {
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> at(-1, 1);
+  Particles<3> fluid, wall;
+  Field<Real> rho;
+  backend.add_set(fluid, 1003);
+  backend.add_set(wall, 517);
+  for (Particles<3>* set : {&fluid, &wall}) {
+    backend.allocate(*set, Keep::kept, set->id);
+    backend.allocate(*set, Keep::kept, set->x);
+    for (int i = 0; i < set->n; ++i) {
+      set->id[i] = std::uint64_t(i);
+      set->x[i] = {Real(at(generator)), Real(at(generator)), Real(at(generator))};
+    }
+  }
+  backend.allocate(fluid, Keep::scratch, rho);
+  const Density near{Poly6<3>(Real(0.4f)), Real(1)}, far{Poly6<3>(Real(0.4f)), Real(3)};
+  for (int step = 0; step < 2; ++step) {  // the second time the wall is sorted already
+    backend.find_neighbors("neighbors", Real(0.4f), fluid, wall);
+    const auto f = rho;
+    backend.sum_pairs("density", fluid, over(fluid, near), over(wall, far),
+                      [=](int i, Real sum) { f[i] = sum; });
+  }
+  std::vector<Real> by_id(std::size_t(fluid.n));
+  for (int i = 0; i < fluid.n; ++i) by_id[fluid.id[i]] = rho[i];
+  return by_id;
+}
+
+TEST(CpuBackend, SumsOverFluidAndWallAsTheReferenceDoes) {
+  const auto reference = densities(ReferenceBackend<3>());
+  EXPECT_GT(*std::max_element(reference.begin(), reference.end()), 0);
+  for (const int threads : {3, 1}) EXPECT_EQ(reference, densities(CpuBackend<3>(threads)));
 }
 
 TEST(CpuCellGrid, TakesNoMoreCellsForASplashFarAway) {
