@@ -102,9 +102,10 @@ const char* Derived::step_bound_name() const {
 Sample sample(const Scene& scene) {
   Sample all;
   const Vector &min = scene.domain.min, &max = scene.domain.max;
-  const Real spacing = Real(scene.particles.spacing), jitter = Real(scene.particles.jitter);
+  const Real spacing = Real(scene.particles.spacing);
+  const float jitter = float(scene.particles.jitter);  // the same offsets in a double build
   std::mt19937 generator(static_cast<std::mt19937::result_type>(scene.particles.seed));
-  std::uniform_real_distribution<Real> offset(-jitter, jitter);
+  std::uniform_real_distribution<float> offset(-jitter, jitter);
   for (const Scene::Fluid& f : scene.fluid) {
     const Lattice lattice = lattice_of(f, scene.particles.spacing);
     for (std::int64_t row = 0; row < lattice.count[1]; ++row)
