@@ -30,10 +30,12 @@ struct RunArguments {
   bool overwrite = false, quiet = false;
 };
 
-std::string check_words(const Report& r, const std::string& name, double scale = 1) {
+std::string check_words(const Report& r, const std::string& name, double scale = 1,
+                        const char* unit = "") {
   for (const CheckResult& c : r.checks)
     if (c.name == name)
-      return fmt::format("{} {:g}  {}", c.relation, scale * c.bound, c.passed ? "ok" : "FAILED");
+      return fmt::format("{} {:g}{}  {}", c.relation, scale * c.bound, unit,
+                         c.passed ? "ok" : "FAILED");
   return "";
 }
 
@@ -54,7 +56,7 @@ std::string table(const Report& r) {
   row("height mean", fmt::format("{:.6f} m", s.height_mean), check_words(r, "height mean"));
   row("bright pixels",
       fmt::format("{} ({:.1f} %)", r.picture.bright, 100 * r.picture.bright_fraction()),
-      check_words(r, "bright fraction", 100));
+      check_words(r, "bright fraction", 100, " %"));
   row("bottom third", fmt::format("{} pixels", r.picture.bottom_third));
   return out;
 }
