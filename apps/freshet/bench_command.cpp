@@ -65,9 +65,9 @@ Json to_json(const Measured& m, const std::string& value) {
   const double rate = m.particles * m.steps / m.seconds;
   Json out;
   if (!value.empty()) out["value"] = value;
-  out.update({{"fluid_particles", m.particles},
+  out.update({{"fluid_particles", std::int64_t(m.particles)},
               {"wall_particles", 0},
-              {"steps", m.steps},
+              {"steps", std::int64_t(m.steps)},
               {"seconds", m.seconds},
               {"particle_steps_per_second", rate},
               {"all_particle_steps_per_second", rate},
