@@ -119,7 +119,6 @@ FRESHET_HD unsigned bits(Mask m) { return unsigned(_mm_movemask_ps(m.m)); }
 
 FRESHET_HD Mask operator>(Pack a, Pack b) { return b < a; }
 FRESHET_HD Pack& operator+=(Pack& a, Pack b) { return a = a + b; }
-FRESHET_HD Pack& operator-=(Pack& a, Pack b) { return a = a - b; }
 
 FRESHET_HD Pack load(const Real* p) {
   Pack r;
