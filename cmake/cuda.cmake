@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The kernels and pair terms compiled for GPUs. No fused multiply-add, IEEE division and roots: the
+# The solvers, pair terms and kernels compiled for GPUs. No fused multiply-add, IEEE division and roots: the
 # bits of the CPU.
 find_program(NVCC nvcc HINTS /usr/local/cuda/bin ENV CUDA_PATH PATH_SUFFIXES bin)
 if(NOT NVCC)
@@ -14,7 +14,7 @@ endif()
 if(CMAKE_CUDA_COMPILER_VERSION VERSION_LESS 12.1)
   message(FATAL_ERROR "nvcc is ${CMAKE_CUDA_COMPILER_VERSION}; 12.1 or newer is needed")
 endif()
-add_library(freshet_cuda OBJECT src/backend/cuda/compile_pairs.cu)
+add_library(freshet_cuda OBJECT src/backend/cuda/compile_solvers.cu)
 set_target_properties(freshet_cuda PROPERTIES CUDA_ARCHITECTURES "80;90")
 target_include_directories(freshet_cuda PRIVATE src include)
 target_compile_definitions(freshet_cuda PRIVATE FRESHET_ISA=cuda)

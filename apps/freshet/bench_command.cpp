@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "freshet/derived.h"
 #include "freshet/simulation.h"
 #include "machine.h"
 #include "progress.h"
@@ -25,7 +26,7 @@ struct BenchArguments {
 };
 
 struct Measured {
-  double particles = 0, steps = 0, seconds = INFINITY, bytes = 0;
+  double particles = 0, wall_particles = 0, steps = 0, seconds = INFINITY, bytes = 0;
   std::vector<VerbTiming> verbs;
   std::string state_sha256;
 };
@@ -53,6 +54,7 @@ void measure(const Scene& scene, const Execution& execution, std::int64_t steps,
   best.bytes = std::max(best.bytes, peak_memory() - before);  // the first repeat grows the process
   if (seconds >= best.seconds) return;
   best.particles = double(sim.fluid().size());
+  best.wall_particles = double(derive(scene).wall_particles);
   best.steps = double(steps);
   best.seconds = seconds;
   best.verbs = sim.timings();
@@ -62,16 +64,16 @@ void measure(const Scene& scene, const Execution& execution, std::int64_t steps,
 Json to_json(const Measured& m, const std::string& value) {
   Json verbs = Json::object();
   for (const VerbTiming& v : m.verbs) verbs[v.name] = 1e9 * v.seconds / double(v.targets);
-  const double rate = m.particles * m.steps / m.seconds;
+  const double all = m.particles + m.wall_particles, rate = m.steps / m.seconds;
   Json out;
   if (!value.empty()) out["value"] = value;
   out.update({{"fluid_particles", std::int64_t(m.particles)},
-              {"wall_particles", 0},
+              {"wall_particles", std::int64_t(m.wall_particles)},
               {"steps", std::int64_t(m.steps)},
               {"seconds", m.seconds},
-              {"particle_steps_per_second", rate},
-              {"all_particle_steps_per_second", rate},
-              {"bytes_per_particle", m.bytes / m.particles},
+              {"particle_steps_per_second", m.particles * rate},
+              {"all_particle_steps_per_second", all * rate},
+              {"bytes_per_particle", m.bytes / all},
               {"verbs", verbs},
               {"state_sha256", m.state_sha256}});
   return out;

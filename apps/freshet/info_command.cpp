@@ -19,7 +19,7 @@ double seconds_per_step(const Scene& scene, const Execution& execution) {
   Simulation sim(scene, execution);
   const auto start = Clock::now();
   double seconds = 0;
-  while (seconds < 0.2 && sim.steps_done() < scene.steps()) {
+  while (seconds < 0.2 && !sim.finished()) {
     sim.step();
     seconds = std::chrono::duration<double>(Clock::now() - start).count();
   }
@@ -32,12 +32,48 @@ std::string bound(double seconds) {
   return std::isfinite(seconds) ? fmt::format("{:.3g} s", seconds) : "none";
 }
 
+std::string kernel_word(KernelName kernel) {
+  static constexpr const char* words[] = {"cubic spline", "Wendland C2", "Wendland C4",
+                                          "Wendland C6"};
+  return words[int(kernel)];
+}
+
+std::string solver_row(const Scene& s) {
+  switch (s.solver.name) {
+    case SolverName::mueller2003:
+      return "mueller2003, kernels Poly6 and Spiky";
+    case SolverName::wcsph:
+      return "wcsph, kernel " + kernel_word(s.solver.kernel);
+    case SolverName::delta_sph:
+      return "delta_sph, kernel " + kernel_word(s.solver.kernel);
+  }
+  return "";
+}
+
+std::string particles_row(const Derived& d) {
+  std::string text = fmt::format("{:.0f} fluid", d.particles);
+  if (d.outside > 0) text += fmt::format(", {} of them outside the domain", d.outside);
+  if (d.wall_particles > 0) text += fmt::format("; {} of walls", d.wall_particles);
+  if (d.left_out > 0) text += fmt::format("; {} places left out, which walls take", d.left_out);
+  return text;
+}
+
+std::string time_step_row(const Scene& s, const Derived& d) {
+  const std::string step = s.time.adaptive
+                               ? fmt::format("adaptive, at most {:g} s", *s.time.step_max)
+                               : fmt::format("{:g} s", s.time.step);
+  return fmt::format("{}; bounds: sound {}, gravity {}, viscosity {}", step, bound(d.acoustic_step),
+                     bound(d.force_step), bound(d.viscous_step));
+}
+
 void info(const SceneArguments& a) {
   const Scene s = a.load();
   const Derived d = derive(s);
+  const char* density = s.dimension() == 3 ? "kg/m³" : "kg/m²";
   fmt::print("{}\n", s.title.empty() ? a.name : s.title);
-  row("particles",
-      fmt::format("{:.0f} fluid, {} of them outside the domain", d.particles, d.outside));
+  row("dimension", fmt::format("{}D", s.dimension()));
+  row("particles", particles_row(d));
+  row("method", solver_row(s));
   row("spacing", fmt::format("{:g} m", d.spacing));
   row("support radius",
       fmt::format("{:g} m = {:.3g} spacings", d.support_radius, d.support_radius / d.spacing));
@@ -46,15 +82,17 @@ void info(const SceneArguments& a) {
       fmt::format("density {:+.1f} %{}, pressure gradient {:+.1f} %", 100 * d.density_error,
                   s.particles.mass ? "" : " (divided out)", 100 * d.gradient_error));
   row("mass", fmt::format("{:.6g} kg{}", d.mass, s.particles.mass ? " (given)" : ""));
-  row("density at rest",
-      fmt::format("{:.6g} kg/m² where the lattice is whole; rest density {:g} kg/m²",
-                  d.mass / (d.spacing * d.spacing) * (1 + d.density_error) / d.lattice_sum,
-                  d.rest_density));
+  row("density at rest", fmt::format("{:.6g} {} where the lattice is whole; rest density {:g} {}",
+                                     d.mass / std::pow(d.spacing, s.dimension()) *
+                                         (1 + d.density_error) / d.lattice_sum,
+                                     density, d.rest_density, density));
   row("speed of sound",
-      fmt::format("{:.4g} m/s (stiffness {:.4g} m²/s²)", d.sound_speed, d.stiffness));
-  row("time step", fmt::format("{:g} s; bounds: sound {}, gravity {}, viscosity {}", s.time.step,
-                               bound(d.acoustic_step), bound(d.force_step), bound(d.viscous_step)));
-  row("steps", fmt::format("{} for {:g} s", s.steps(), s.time.end));
+      s.solver.name == SolverName::mueller2003
+          ? fmt::format("{:.4g} m/s (stiffness {:.4g} m²/s²)", d.sound_speed, d.stiffness)
+          : fmt::format("{:.4g} m/s", d.sound_speed));
+  row("time step", time_step_row(s, d));
+  row("steps",
+      fmt::format("{}{} for {:g} s", s.time.adaptive ? "at least " : "", s.steps(), s.time.end));
   if (s.solver.backend == BackendName::cpu)
     row("computed by",
         fmt::format("{} threads, {}", thread_count(a.threads), instruction_set(a.isa)));

@@ -43,11 +43,14 @@ Progress::Style Progress::choose(bool quiet, bool json) {
 
 void Progress::start(const Simulation& sim) {
   const Scene& s = sim.scene();
-  say(fmt::format("{} particles, {} steps of {:g} s", sim.fluid().size(), s.steps(), s.time.step));
+  say(s.time.adaptive ? fmt::format("{} particles, {:g} s in steps of at most {:g} s",
+                                    sim.fluid().size(), s.time.end, *s.time.step_max)
+                      : fmt::format("{} particles, {} steps of {:g} s", sim.fluid().size(),
+                                    s.steps(), s.time.step));
   event(nlohmann::ordered_json{{"event", "start"},
                                {"particles", sim.fluid().size()},
                                {"steps", s.steps()},
-                               {"time_step", s.time.step}}
+                               {"time_step", s.time.adaptive ? *s.time.step_max : s.time.step}}
             .dump());
   begin_ = Clock::now();
 }
@@ -60,9 +63,15 @@ bool Progress::due(double done) {
   return std::floor(done * 10) > std::floor(shown_ * 10) || (quiet_for > 10 && shown_step_ >= 0);
 }
 
+namespace {
+double share_done(const Simulation& sim) {
+  return sim.finished() ? 1 : sim.time() / sim.scene().time.end;
+}
+}  // namespace
+
 void Progress::update(const Simulation& sim, double seconds) {
   if (style_ == Style::quiet) return;
-  const double done = double(sim.steps_done()) / double(sim.scene().steps());
+  const double done = share_done(sim);
   if (!due(done)) return;
   show(sim, seconds);
   shown_at_ = Clock::now();
@@ -71,7 +80,7 @@ void Progress::update(const Simulation& sim, double seconds) {
 }
 
 void Progress::show(const Simulation& sim, double seconds) {
-  const double done = double(sim.steps_done()) / double(sim.scene().steps());
+  const double done = share_done(sim);
   const double rate = double(sim.steps_done()) / std::max(seconds, 1e-9);
   const double wall = std::chrono::duration<double>(Clock::now() - begin_).count();
   const double eta = wall / done * (1 - done);

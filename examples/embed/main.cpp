@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
   }
   try {
     freshet::Simulation sim(freshet::load_scene(argv[1], {{"time.end", "0.5"}}));
-    while (sim.steps_done() < sim.scene().steps()) {
+    while (!sim.finished()) {
       sim.step();
       if (sim.steps_done() % 100 != 0) continue;
       const freshet::ParticleView fluid = sim.fluid();

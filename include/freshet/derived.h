@@ -6,15 +6,18 @@ namespace freshet {
 
 /// Numbers that follow from a scene. SI units.
 struct Derived {
-  double particles;      ///< a double, so that absurd scenes do not overflow
-  std::int64_t outside;  ///< particles that start outside the domain
-  std::int64_t frames;   ///< pictures that a run writes, the result not counted
+  double particles;             ///< a double, so that absurd scenes do not overflow
+  std::int64_t outside;         ///< particles that start outside the domain
+  std::int64_t left_out;        ///< places of a fluid's lattice that a wall takes
+  std::int64_t wall_particles;  ///< samples of all walls
+  std::int64_t frames;          ///< pictures that a run writes, the result not counted
   double support_radius, spacing;
   double rest_density, viscosity;
   double mass;            ///< rest_density · spacing^D, or as given (scheme article)
   double lattice_sum;     ///< what density sums are divided by; 1 where the mass is given
-  double density_error;   ///< of Poly6's sum over the resting lattice, before that division
-  double gradient_error;  ///< of Spiky's gradient of a linear field on the lattice
+  double density_error;   ///< of the density sum over the resting lattice, before that division
+  double gradient_error;  ///< of the gradient (Spiky's, or the kernel's) of a linear field on the
+                          ///< lattice
   double neighbors;       ///< in the resting lattice, the particle itself not counted
   double stiffness, sound_speed;
   double acoustic_step;  ///< upper bound of the time step [s]: 0.4 h/c

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace freshet {
@@ -23,7 +25,13 @@ struct Statistics {
   double speed_mean = 0, speed_max = 0;
   double height_mean = 0;                           ///< mean of y
   double kinetic_energy = 0, potential_energy = 0;  ///< [J]; potential zero at the origin
-  double momentum_x = 0, momentum_y = 0;            ///< [kg m/s]
+  std::vector<double> momentum;                     ///< [kg m/s], one number a dimension
+};
+
+/// The time steps of a run [s], and how often each bound ruled an adaptive one.
+struct TimeSteps {
+  double last = 0, min = 0, max = 0;
+  std::map<std::string, std::int64_t> ruled;  ///< "sound", "force", "viscosity", "step_max"
 };
 
 /// What the result's picture holds.
@@ -48,6 +56,9 @@ struct Report {
   std::string scene, title, backend, solver;
   std::int64_t steps = 0;
   double time = 0, seconds = 0;  ///< simulated, and taken by the steps (pictures not counted)
+  TimeSteps time_steps;
+  std::vector<std::pair<std::string, std::vector<double>>>
+      wall_forces;  ///< by name [N], as last observed
   Statistics statistics;
   PictureStatistics picture;
   std::vector<CheckResult> checks;

@@ -9,16 +9,24 @@
 #include <vector>
 
 #include "freshet/error.h"
+#include "freshet/time_step.h"
 
 namespace freshet {
 
 using Vector = std::vector<double>;        ///< one number per dimension
 using Counts = std::vector<std::int64_t>;  ///< one whole number per dimension
 
-enum class Shape { box, lattice };
+enum class Shape { box, sphere, cylinder, plane, points, lattice };
+enum class Side { inside, outside };
 enum class Outside { error, clamp };
-enum class SolverName { mueller2003 };
+enum class StartPressure { zero, hydrostatic };
+enum class Axes { none, x, y, xy, z, xz, yz, xyz };  // bit d is axis d
+enum class SolverName { mueller2003, wcsph, delta_sph };
 enum class Scheme { paper, article };
+enum class KernelName { cubic_spline, wendland_c2, wendland_c4, wendland_c6 };
+enum class DensityDiffusion { none, fourtakas2019, antuono2010 };
+enum class WallMethod { open, reflection, monaghan2009, ghost, akinci2012, adami2012 };
+enum class Slip { free_slip, no_slip };
 enum class BackendName { cpu, reference };
 enum class Search { grid, all_pairs };
 enum class NeighborOrder { cell, id };
@@ -27,8 +35,9 @@ enum class NeighborOrder { cell, id };
 /// default and range; the members carry the same names. A scene can be filled in code or loaded.
 struct Scene {
   struct Domain {
-    Vector min{0, 0}, max;
-    Vector gravity{0, -9.81};
+    Vector min, max;  // min: the origin if empty
+    Vector gravity;   // (0, -9.81) or (0, -9.81, 0) if empty
+    Axes periodic = Axes::none;
   };
   struct Particles {
     double spacing = 0;
@@ -36,15 +45,33 @@ struct Scene {
     double jitter = 0;
     std::int64_t seed = 1;
   };
-  struct Fluid {
+  /// What a fluid fills, or where a wall stands.
+  struct Region {
     Shape shape = Shape::box;
-    Vector min, max;  // box
-    Vector from;      // lattice
-    Counts count;     // lattice
-    Vector velocity{0, 0};
+    Side side = Side::inside;  // the fluid's side of the surface; a wall's is outside by default
+    Vector min, max;           // box
+    Vector from;               // lattice
+    Counts count;              // lattice
+    Vector center;             // sphere (in 2D a disc), cylinder
+    double radius = 0;         // sphere, cylinder
+    Vector axis;               // cylinder: along its length; any length
+    double length = 0;         // cylinder
+    Vector point, normal;      // plane: inside is where the normal does not point
+    std::string file;          // points: *.ply or *.csv, relative to the scene
+  };
+  struct Fluid : Region {
+    Vector velocity;  // at rest if empty
     double rest_density = 1000;
     double viscosity = 0.001;
+    StartPressure pressure = StartPressure::zero;
     Outside outside = Outside::error;
+  };
+  struct Wall : Region {
+    Wall() { side = Side::outside; }
+    std::string name;  // "wall[k]" if empty
+    std::optional<WallMethod> method;
+    Slip slip = Slip::no_slip;
+    double restitution = 0.5;
   };
   struct Solver {
     SolverName name = SolverName::mueller2003;
@@ -52,16 +79,30 @@ struct Scene {
     BackendName backend = BackendName::cpu;
     Search search = Search::grid;
     NeighborOrder neighbor_order = NeighborOrder::cell;
-    std::optional<double> stiffness, speed_limit;
+    std::optional<double> stiffness, speed_limit;                          // mueller2003
+    KernelName kernel = KernelName::cubic_spline;                          // wcsph, delta_sph
+    std::optional<double> sound_speed;                                     // wcsph, delta_sph
+    double artificial_viscosity = 0.05;                                    // wcsph, delta_sph
+    DensityDiffusion density_diffusion = DensityDiffusion::fourtakas2019;  // delta_sph
+    double delta = 0.1;                                                    // delta_sph
   };
+  /// The sides of the domain. One that is not given has `method`; if that is not given either,
+  /// reflection for mueller2003 and akinci2012 for the others.
   struct Walls {
+    std::optional<WallMethod> method, x_min, x_max, y_min, y_max, z_min, z_max;
+    Slip slip = Slip::no_slip;
     double restitution = 0.5;
   };
   struct Time {
-    double end = 0, step = 0;
+    double end = 0;
+    double step = 0;        // fixed; unused if adaptive
+    bool adaptive = false;  // step = "adaptive"
+    std::optional<double> step_max;
+    std::optional<Integrator> integrator;  // symplectic_euler for wcsph, else leapfrog
   };
   struct Output {
     std::optional<std::int64_t> frame_every_steps, observables_every_steps;
+    std::optional<double> frame_every, observables_every;  // [s]
   };
   struct Picture {
     std::int64_t width = 800, height = 600, dot_radius = 5;
@@ -75,6 +116,7 @@ struct Scene {
   Domain domain;
   Particles particles;
   std::vector<Fluid> fluid;
+  std::vector<Wall> wall;
   Solver solver;
   Walls walls;
   Time time;
@@ -87,9 +129,16 @@ struct Scene {
   /// Where each key that was given stands ("fluid[0].count" -> "FILE:LINE:COLUMN" or "--set KEY").
   std::map<std::string, std::string> places;
 
-  int dimension() const { return 2; }
-  /// The whole number of fixed steps, round(end/step).
+  int dimension() const { return int(domain.max.size()); }  ///< 2 or 3
+  /// The whole number of fixed steps, round(end/step); of an adaptive run end/step_max, a guess.
   std::int64_t steps() const;
+  /// Of side d·2 + (0: min, 1: max); `reflection` and the like also where the axis is periodic.
+  WallMethod side_method(int side) const;
+  WallMethod wall_method(std::size_t k) const;
+  bool periodic(int axis) const { return int(domain.periodic) >> axis & 1; }
+  Integrator integrator() const;
+  /// "x_min" ... "z_max", then the walls' names: what forces are reported by.
+  std::vector<std::string> wall_names() const;
 };
 
 /// An override as `--set KEY=VALUE` gives it: VALUE is TOML, else a string.

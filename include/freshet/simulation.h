@@ -48,7 +48,15 @@ class Simulation {
 
   const Scene& scene() const;
   std::int64_t steps_done() const;
-  double time() const;  ///< steps_done · time.step [s]
+  double time() const;  ///< the sum of the steps; steps_done · time.step where it is fixed [s]
+  /// Whether time.end is reached.
+  bool finished() const;
+  const TimeSteps& time_steps() const;
+  /// What bounds the next step, by the present state [s].
+  TimeStepBounds bounds();
+  /// The force of the fluid on each wall, in the order of Scene::wall_names() [N; N/m in 2D]:
+  /// reflecting walls the mean since the last call, others the present one.
+  std::vector<Vector> wall_forces();
   ParticleView fluid() const;
   Statistics statistics() const;
   const std::vector<VerbTiming>& timings() const;

@@ -10,18 +10,21 @@ inline namespace FRESHET_ISA {
 /// restitution e keeps e^2 of the normal kinetic energy: 0.5 loses 75 %.
 ///
 ///   min, max     corners of the box [m];   restitution  0 to 1
+///   sides        which sides are walls: bit 2k for min and 2k + 1 for max along axis k
 ///   onto_wall    true: put onto the wall and turned, whichever way it flew (as in the article);
 ///                false: put inside by restitution · its overshoot, and turned only if outbound
 template <int D> struct BoxWalls {
   Vec<D> min, max;
   Real restitution;
+  unsigned sides;
   bool onto_wall;
 
   FRESHET_HD void operator()(Vec<D>& x, Vec<D>& v) const {
     for (int k = 0; k < D; ++k) {
       Vec<D> low = min, high = max;
-      side(component(x, k), component(v, k), component(low, k), Real(1));
-      side(component(x, k), component(v, k), component(high, k), Real(-1));
+      if (sides >> 2 * k & 1) side(component(x, k), component(v, k), component(low, k), Real(1));
+      if (sides >> (2 * k + 1) & 1)
+        side(component(x, k), component(v, k), component(high, k), Real(-1));
     }
   }
 

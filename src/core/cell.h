@@ -7,11 +7,12 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The cubes of one support radius that space is cut into, counted from the origin. All backends
-/// visit neighbours cell by cell in row-major order (x fastest) and by id inside a cell: an order
-/// that depends on the state alone.
+/// The bricks that space is cut into, counted from the origin: a support radius along y and z, and
+/// `Cells::split` of them to a support radius along x. All backends visit neighbours cell by cell
+/// in row-major order (x fastest) and by id inside a cell: an order that depends on the state
+/// alone.
 template <int D> struct Cell {
-  std::int64_t c[D];
+  std::int32_t c[D];
   FRESHET_HD bool operator==(const Cell& o) const {
     bool same = true;
     for (int d = 0; d < D; ++d) same &= c[d] == o.c[d];
@@ -27,24 +28,36 @@ template <int D> struct Cell {
 /// Which cell a position lies in.
 template <int D> class Cells {
  public:
+  static constexpr int split = 4;
+
   Cells() = default;
   /// A hair larger than the support radius, and computed in doubles, so that no rounding parts
-  /// neighbours by two cells.
-  explicit Cells(Real support_radius) : inverse_(1 / (double(support_radius) * (1 + 1e-9))) {}
+  /// neighbours by more than `split` cells along x, or one along the others.
+  explicit Cells(Real support_radius)
+      : side_(double(support_radius) * (1 + 1e-9)), inverse_(1 / side_) {}
 
-  /// A NaN or a flight beyond all bounds lands in some cell, harmlessly.
+  /// x along axis d, counted in cells; a flight beyond all bounds ends at the last cell, and so
+  /// does a NaN.
+  FRESHET_HD double along(Real x, int d) const {
+    const double c = double(x) * (d == 0 ? split * inverse_ : inverse_);
+    const double below = c < last ? c : last;
+    return below > -last ? below : -last;
+  }
   FRESHET_HD Cell<D> operator()(Vec<D> x) const {
     Cell<D> cell;
-    for (int d = 0; d < D; ++d) {
-      const double c = double(component(x, d)) * inverse_;
-      const auto toward_zero = c > -1e15 && c < 1e15 ? std::int64_t(c) : 0;
-      cell.c[d] = toward_zero - (double(toward_zero) > c);
-    }
+    for (int d = 0; d < D; ++d) cell.c[d] = floor(along(component(x, d), d));
     return cell;
+  }
+  /// Where a cell begins along an axis.
+  FRESHET_HD double begin(double c, int d) const { return c * (d == 0 ? side_ / split : side_); }
+  FRESHET_HD static std::int32_t floor(double c) {
+    const auto toward_zero = std::int32_t(c);
+    return toward_zero - (double(toward_zero) > c);
   }
 
  private:
-  double inverse_ = 1;
+  static constexpr double last = 1e9;
+  double side_ = 1, inverse_ = 1;
 };
 
 }  // namespace FRESHET_ISA

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
+#include <tuple>
 #include <utility>
 
 #include "core/field.h"
@@ -12,6 +14,8 @@ template <int D, class TermT> struct Over {
   using Term = TermT;
   Particles<D> set;
   Term term;
+  int only_copies_of =
+      -1;  ///< a number: only j that are copies by this rule (boundary/copy_rule.h)
   template <class R>
   using Sum = decltype(std::declval<Term>()(std::declval<Pair<D, R>>(),
                                             std::declval<typename Term::template At<R>>(),
@@ -19,6 +23,18 @@ template <int D, class TermT> struct Over {
 };
 template <int D, class Term> Over<D, Term> over(const Particles<D>& set, const Term& term) {
   return {set, term};
+}
+template <int D, class Term>
+Over<D, Term> over_copies(int rule, const Particles<D>& set, const Term& term) {
+  return {set, term, rule};
+}
+
+/// f(last, others...) of its arguments: a verb's sources, and the finish that stands behind them.
+template <class F, class... A> void with_last_first(const F& f, const A&... a) {
+  constexpr std::size_t last = sizeof...(A) - 1;
+  const auto all = std::tie(a...);
+  [&]<std::size_t... k>(std::index_sequence<k...>) { f(std::get<last>(all), std::get<k>(all)...); }
+  (std::make_index_sequence<last>());
 }
 
 }  // namespace FRESHET_ISA

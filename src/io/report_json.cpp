@@ -29,7 +29,13 @@ Json json(const Statistics& s) {
           {"height_mean", s.height_mean},
           {"kinetic_energy", s.kinetic_energy},
           {"potential_energy", s.potential_energy},
-          {"momentum", {s.momentum_x, s.momentum_y}}};
+          {"momentum", s.momentum}};
+}
+
+Json json(const TimeSteps& t) {
+  Json all{{"last", t.last}, {"min", t.min}, {"max", t.max}};
+  if (!t.ruled.empty()) all["ruled"] = t.ruled;
+  return all;
 }
 
 }  // namespace
@@ -47,6 +53,8 @@ std::string to_json(const Report& r) {
                      {"calls", v.calls},
                      {"seconds", v.seconds},
                      {"ns_per_particle", v.targets ? 1e9 * v.seconds / double(v.targets) : 0}});
+  Json forces = Json::object();
+  for (const auto& [name, force] : r.wall_forces) forces[name] = force;
   const Json all{{"freshet", FRESHET_VERSION},
                  {"state", word(r.state)},
                  {"scene", r.scene},
@@ -58,6 +66,8 @@ std::string to_json(const Report& r) {
                  {"seconds", r.seconds},
                  {"steps_per_second", r.steps_per_second()},
                  {"particle_steps_per_second", r.particle_steps_per_second()},
+                 {"time_steps", json(r.time_steps)},
+                 {"wall_forces", forces},
                  {"statistics", json(r.statistics)},
                  {"picture",
                   {{"pixels", r.picture.pixels},

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/balls.h"
+
 namespace freshet {
 namespace {
 
@@ -82,6 +84,10 @@ Image draw_dots(const Scene& scene, const ParticleView& fluid) {
   }
   draw_frame(image);
   return image;
+}
+
+Image draw(const Scene& scene, const ParticleView& fluid) {
+  return fluid.dimension == 2 ? draw_dots(scene, fluid) : draw_balls(scene, fluid);
 }
 
 PictureStatistics picture_statistics(const Image& image) {

@@ -32,14 +32,20 @@ class Describer : public KeyVisitor {
     key(n, "integer", "", d);
   }
   void vector(std::string_view n, Vector& v, const KeyDoc& d) override {
-    key(n, "2 numbers", fmt::format("[{}]", fmt::join(v, ", ")), d);
+    key(n, "2 or 3 numbers", fmt::format("[{}]", fmt::join(v, ", ")), d);
   }
   void counts(std::string_view n, Counts&, const KeyDoc& d) override {
-    key(n, "2 integers", "", d);
+    key(n, "2 or 3 integers", "", d);
+  }
+  void number_or_word(std::string_view n, double&, bool&, const char* word,
+                      const KeyDoc& d) override {
+    words_ = {word};
+    key(n, "number or word", "", d);
+    words_.clear();
   }
   void word(std::string_view n, int& v, Words words, const KeyDoc& d) override {
     words_ = {words.begin(), words.end()};
-    key(n, "word", fmt::format("\"{}\"", words_[std::size_t(v)]), d);
+    key(n, "word", v < 0 ? "" : fmt::format("\"{}\"", words_[std::size_t(v)]), d);
     words_.clear();
   }
 
@@ -64,12 +70,13 @@ class SchemaWriter final : public Describer {
     at_ = outer;
     add(name, table);
   }
-  void sections(std::string_view name, std::string_view text, std::vector<Scene::Fluid>&,
-                const std::function<void(Scene::Fluid&)>& keys) override {
+  void sections(std::string_view name, std::string_view text,
+                const std::function<void(std::size_t)>& resize,
+                const std::function<void(std::size_t)>& keys) override {
     Json table = object(text);
     Json* const outer = std::exchange(at_, &table);
-    Scene::Fluid defaults;
-    keys(defaults);
+    resize(1);
+    keys(0);
     at_ = outer;
     add(name, {{"oneOf", {table, {{"type", "array"}, {"items", table}}}}});
   }
@@ -91,14 +98,16 @@ class SchemaWriter final : public Describer {
            const KeyDoc& doc) override {
     Json json;
     if (type == "word") json = {{"enum", words_}};
+    else if (type == "number or word")
+      json = {{"oneOf", {number("number", doc), {{"enum", words_}}}}};
     else if (type == "string") json = {{"type", "string"}};
     else if (type == "number") json = number("number", doc);
     else if (type == "integer") json = number("integer", doc);
     else
       json = {{"type", "array"},
-              {"items", number(type == "2 integers" ? "integer" : "number", doc)},
+              {"items", number(type == "2 or 3 integers" ? "integer" : "number", doc)},
               {"minItems", 2},
-              {"maxItems", 2}};
+              {"maxItems", 3}};
     json["description"] =
         fmt::format("{}{}", doc.text, doc.unit.empty() ? "" : fmt::format(" [{}]", doc.unit));
     if (doc.required) (*at_)["required"].push_back(std::string(name));
@@ -117,11 +126,12 @@ class MarkdownWriter final : public Describer {
     heading(fmt::format("[{}]", name), text);
     keys();
   }
-  void sections(std::string_view name, std::string_view text, std::vector<Scene::Fluid>&,
-                const std::function<void(Scene::Fluid&)>& keys) override {
+  void sections(std::string_view name, std::string_view text,
+                const std::function<void(std::size_t)>& resize,
+                const std::function<void(std::size_t)>& keys) override {
     heading(fmt::format("[{}]", name), text);
-    Scene::Fluid defaults;
-    keys(defaults);
+    resize(1);
+    keys(0);
   }
   void heading(std::string_view title, std::string_view text) {
     out += fmt::format(
@@ -132,9 +142,10 @@ class MarkdownWriter final : public Describer {
 
  private:
   std::string range(const KeyDoc& doc) const {
-    if (!words_.empty()) return fmt::format("`{}`", fmt::join(words_, "`, `"));
     std::string text;
-    if (std::isfinite(doc.min)) text = fmt::format("{} {}", doc.above ? ">" : "≥", doc.min);
+    if (!words_.empty()) text = fmt::format("`{}`", fmt::join(words_, "`, `"));
+    if (std::isfinite(doc.min))
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", doc.above ? ">" : "≥", doc.min);
     if (std::isfinite(doc.max))
       text += fmt::format("{}≤ {:.10g}", text.empty() ? "" : ", ", doc.max);
     return text;
@@ -164,9 +175,13 @@ std::string scene_reference() {
       "# Scenes\n\n"
       "A scene is a TOML file. Every key stands here, made from the table in `src/scene/keys.cpp`\n"
       "that the parser itself checks against (`freshet schema --markdown` prints this page,\n"
-      "`freshet schema` the JSON Schema for editors). All units are SI; in two dimensions a "
-      "density\n"
-      "is a mass per area. Unknown keys are errors, and so are keys that nothing uses.\n";
+      "`freshet schema` the JSON Schema for editors). All units are SI. A scene has as many "
+      "dimensions\n"
+      "as `domain.max` has numbers, 2 or 3; every vector has that many. In two dimensions a "
+      "density "
+      "is\n"
+      "a mass per area; y is up in both. Unknown keys are errors, and so are keys that nothing "
+      "uses.\n";
   writer.heading("At the top", "What the scene is.");
   Scene defaults;
   visit_keys(writer, defaults);

@@ -4,26 +4,124 @@
 namespace freshet {
 namespace {
 
-void fluid_keys(KeyVisitor& v, Scene::Fluid& f) {
-  v.choice("shape", f.shape, shape_words,
+constexpr const char* density_unit = "kg/m² in 2D, kg/m³ in 3D";
+
+/// Where a fluid or a wall stands.
+void region_keys(KeyVisitor& v, Scene::Region& r, Words shapes, const KeyDoc& shape,
+                 const KeyDoc& side) {
+  v.choice("shape", r.shape, shapes, shape);
+  v.choice("side", r.side, side_words, side);
+  v.vector("min", r.min, {.unit = "m", .text = "lower corner of a box", .fallback = "none"});
+  v.vector("max", r.max, {.unit = "m", .text = "upper corner of a box", .fallback = "none"});
+  v.vector("center", r.center,
+           {.unit = "m", .text = "of a sphere or a cylinder", .fallback = "none"});
+  v.number("radius", r.radius,
+           {.unit = "m",
+            .text = "of a sphere or a cylinder",
+            .min = 0,
+            .above = true,
+            .fallback = "none"});
+  v.vector("axis", r.axis,
            {.unit = "",
-            .text = "`box`: particles fill min to max, the first half a spacing inside; "
-                    "`lattice`: `count` particles, the first at `from`"});
-  v.vector("min", f.min, {.unit = "m", .text = "lower corner of a box", .fallback = "none"});
-  v.vector("max", f.max, {.unit = "m", .text = "upper corner of a box", .fallback = "none"});
+            .text = "direction of a cylinder; its length does not matter",
+            .fallback = "along y"});
+  v.number("length", r.length,
+           {.unit = "m", .text = "of a cylinder", .min = 0, .above = true, .fallback = "none"});
+  v.vector("point", r.point, {.unit = "m", .text = "any point of a plane", .fallback = "none"});
+  v.vector("normal", r.normal,
+           {.unit = "",
+            .text = "of a plane; `inside` is where it does not point; its length does not matter",
+            .fallback = "none"});
+  v.text("file", r.file,
+         {.unit = "",
+          .text = "the points: `*.ply` (vertices with x, y, z and perhaps vx, vy, vz) or `*.csv` "
+                  "(a first line that names the columns x, y, z, vx, vy, vz); relative to the "
+                  "scene",
+          .fallback = "none"});
+}
+
+void fluid_keys(KeyVisitor& v, Scene::Fluid& f) {
+  region_keys(v, f, shape_words,
+              {.unit = "",
+               .text = "`box`: particles fill min to max, the first half a spacing inside; "
+                       "`lattice`: `count` particles, the first at `from`; `sphere` (in 2D a "
+                       "disc), `cylinder` (3D), `plane` (all of the domain below it): the places "
+                       "of such a lattice that lie inside; `points`: those of a file"},
+              {.unit = "",
+               .text = "`inside` of the shape, or the domain `outside` of it; what walls take up "
+                       "is left out either way"});
   v.vector("from", f.from,
            {.unit = "m", .text = "first particle of a lattice", .fallback = "none"});
-  v.counts(
-      "count", f.count,
-      {.unit = "", .text = "particles of a lattice along x and y", .min = 1, .fallback = "none"});
-  v.vector("velocity", f.velocity, {.unit = "m/s", .text = "velocity at the start"});
-  v.number("rest_density", f.rest_density,
-           {.unit = "kg/m²", .text = "density at zero pressure (ρ0)", .min = 0, .above = true});
-  v.number("viscosity", f.viscosity, {.unit = "Pa s", .text = "dynamic viscosity (μ)", .min = 0});
+  v.counts("count", f.count,
+           {.unit = "",
+            .text = "particles of a lattice along x, y and z",
+            .min = 1,
+            .fallback = "none"});
+  v.vector("velocity", f.velocity,
+           {.unit = "m/s", .text = "velocity at the start", .fallback = "at rest"});
+  v.number(
+      "rest_density", f.rest_density,
+      {.unit = density_unit, .text = "density at zero pressure (ρ0)", .min = 0, .above = true});
+  v.number("viscosity", f.viscosity,
+           {.unit = "Pa s", .text = "dynamic viscosity (μ); `mueller2003` only", .min = 0});
+  v.choice("pressure", f.pressure, pressure_words,
+           {.unit = "",
+            .text = "at the start: `zero`, every particle at rest density; `hydrostatic`, as the "
+                    "weight of the fluid above asks for (box, lattice and plane)"});
   v.choice("outside", f.outside, outside_words,
            {.unit = "",
             .text = "a particle that starts outside the domain is an error, or is left to the "
                     "walls (`clamp`: the first step puts it onto the wall)"});
+}
+
+void wall_surface_keys(KeyVisitor& v, Slip& slip, double& restitution) {
+  v.choice("slip", slip, slip_words,
+           {.unit = "",
+            .text = "`no_slip`: fluid sticks to the wall; `free_slip`: it glides (`ghost`, "
+                    "`akinci2012` and `adami2012`)"});
+  v.number("restitution", restitution,
+           {.unit = "",
+            .text = "share of the normal speed that a particle keeps when a wall turns it back "
+                    "(`reflection`)",
+            .min = 0,
+            .max = 1});
+}
+
+void wall_keys(KeyVisitor& v, Scene::Wall& w) {
+  v.text("name", w.name,
+         {.unit = "", .text = "what its forces are reported under", .fallback = "wall[k]"});
+  region_keys(
+      v, w, Words(shape_words).first(5),
+      {.unit = "",
+       .text = "`box`, `sphere` (in 2D a disc), `cylinder` (3D), `plane`, or the `points` "
+               "of a file"},
+      {.unit = "", .text = "where the fluid is: `outside` of an obstacle, `inside` of a tank"});
+  v.choice("method", w.method, method_words,
+           {.unit = "",
+            .text = "how it holds the fluid: see [walls]; `ghost` for a plane and the inside of a "
+                    "box, `monaghan2009`, `akinci2012` or `adami2012` for points",
+            .fallback = "`reflection` for `mueller2003`, else `akinci2012`"});
+  wall_surface_keys(v, w.slip, w.restitution);
+}
+
+void walls_keys(KeyVisitor& v, Scene::Walls& w) {
+  v.choice("method", w.method, method_words,
+           {.unit = "",
+            .text = "of the sides that are not given: `open` (nothing holds the fluid), "
+                    "`reflection` (particles are turned back), `ghost` (mirror images), or "
+                    "samples as in the papers Monaghan & Kajtar 2009, Akinci et al. 2012, Adami "
+                    "et al. 2012",
+            .fallback = "`reflection` for `mueller2003`, else `akinci2012`"});
+  const auto side = [&](const char* name, std::optional<WallMethod>& method, const char* text) {
+    v.choice(name, method, method_words, {.unit = "", .text = text, .fallback = "walls.method"});
+  };
+  side("x_min", w.x_min, "method of the side where x is least");
+  side("x_max", w.x_max, "where x is greatest");
+  side("y_min", w.y_min, "of the bottom");
+  side("y_max", w.y_max, "of the top");
+  side("z_min", w.z_min, "where z is least (3D)");
+  side("z_max", w.z_max, "where z is greatest (3D)");
+  wall_surface_keys(v, w.slip, w.restitution);
 }
 
 void solver_keys(KeyVisitor& v, Scene::Solver& s) {
@@ -46,10 +144,23 @@ void solver_keys(KeyVisitor& v, Scene::Solver& s) {
                     "particles has it"});
   v.number("stiffness", s.stiffness,
            {.unit = "m²/s²",
-            .text = "k in p = k(ρ − ρ0), the square of the speed of sound",
+            .text = "k in p = k(ρ − ρ0), the square of the speed of sound; `mueller2003` only",
             .min = 0,
             .above = true,
-            .fallback = "(10 · √(2 |g| · height of the domain))²"});
+            .fallback = "(10 · √(2 g · height of the domain))²"});
+  v.choice("kernel", s.kernel, kernel_words,
+           {.unit = "", .text = "smoothing kernel of `wcsph` and `delta_sph`"});
+  v.number("sound_speed", s.sound_speed,
+           {.unit = "m/s",
+            .text = "c in Tait's equation of state; `wcsph` and `delta_sph`",
+            .min = 0,
+            .above = true,
+            .fallback = "10 · √(2 g · height of the domain)"});
+  v.number("artificial_viscosity", s.artificial_viscosity,
+           {.unit = "", .text = "α of Monaghan's term; `wcsph` and `delta_sph`", .min = 0});
+  v.choice("density_diffusion", s.density_diffusion, diffusion_words,
+           {.unit = "", .text = "the term of `delta_sph`, named after its paper"});
+  v.number("delta", s.delta, {.unit = "", .text = "δ, its strength; `delta_sph` only", .min = 0});
   v.number("speed_limit", s.speed_limit,
            {.unit = "m/s",
             .text = "faster particles are slowed to it (scheme `article` only)",
@@ -66,12 +177,24 @@ void output_keys(KeyVisitor& v, Scene& s) {
                .min = 1,
                .max = 1e9,
                .fallback = "a tenth of the run"});
+    v.number("frame_every", s.output.frame_every,
+             {.unit = "s",
+              .text = "instead of steps: a frame after the first step at or after each such time",
+              .min = 0,
+              .above = true,
+              .fallback = "a tenth of the run"});
     v.integer("observables_every_steps", s.output.observables_every_steps,
               {.unit = "steps",
                .text = "a line of observables.csv after step 0, every so many steps, and the last",
                .min = 1,
                .max = 1e9,
                .fallback = "a hundredth of the run"});
+    v.number("observables_every", s.output.observables_every,
+             {.unit = "s",
+              .text = "the same in seconds",
+              .min = 0,
+              .above = true,
+              .fallback = "a hundredth of the run"});
   });
   v.section("picture", "How a frame is drawn.", [&] {
     v.integer("width", s.picture.width, {.unit = "px", .text = "width", .min = 32, .max = 8192});
@@ -86,7 +209,7 @@ void output_keys(KeyVisitor& v, Scene& s) {
                .min = 0,
                .fallback = "unchecked"});
     v.number("density_mean_min", s.checks.density_mean_min,
-             {.unit = "kg/m²", .text = "mean density is above", .fallback = "unchecked"});
+             {.unit = density_unit, .text = "mean density is above", .fallback = "unchecked"});
     v.number("speed_mean_max", s.checks.speed_mean_max,
              {.unit = "m/s", .text = "mean speed is below", .fallback = "unchecked"});
     v.number("height_mean_max", s.checks.height_mean_max,
@@ -106,9 +229,15 @@ void visit_keys(KeyVisitor& v, Scene& s) {
   v.text("title", s.title, {.unit = "", .text = "a line for the list of scenes"});
   v.text("description", s.description, {.unit = "", .text = "what the scene shows"});
   v.section("domain", "The box that the fluid lives in.", [&] {
-    v.vector("min", s.domain.min, {.unit = "m", .text = "lower corner"});
-    v.vector("max", s.domain.max, {.unit = "m", .text = "upper corner", .required = true});
-    v.vector("gravity", s.domain.gravity, {.unit = "m/s²", .text = "acceleration of gravity"});
+    v.vector("min", s.domain.min, {.unit = "m", .text = "lower corner", .fallback = "the origin"});
+    v.vector("max", s.domain.max,
+             {.unit = "m",
+              .text = "upper corner; 2 numbers make a scene in 2D, 3 in 3D",
+              .required = true});
+    v.vector("gravity", s.domain.gravity,
+             {.unit = "m/s²", .text = "acceleration of gravity", .fallback = "9.81 along −y"});
+    v.choice("periodic", s.domain.periodic, axes_words,
+             {.unit = "", .text = "axes along which the domain repeats itself"});
   });
   v.section("particles", "How the fluid is cut into particles.", [&] {
     v.number("spacing", s.particles.spacing,
@@ -128,7 +257,7 @@ void visit_keys(KeyVisitor& v, Scene& s) {
               .text = "mass of a particle (scheme `article` only)",
               .min = 0,
               .above = true,
-              .fallback = "rest_density × spacing²"});
+              .fallback = "rest_density × spacing² in 2D, spacing³ in 3D"});
     v.number("jitter", s.particles.jitter,
              {.unit = "m",
               .text = "each coordinate moves by a uniform random number up to this, either way",
@@ -136,25 +265,32 @@ void visit_keys(KeyVisitor& v, Scene& s) {
     v.integer("seed", s.particles.seed,
               {.unit = "", .text = "seed of the jitter", .min = 0, .max = 4294967295.0});
   });
-  v.sections("fluid", "A block of fluid: `[fluid]` for one, `[[fluid]]` for several.", s.fluid,
-             [&](Scene::Fluid& f) { fluid_keys(v, f); });
+  v.tables("fluid", "A body of fluid: `[fluid]` for one, `[[fluid]]` for several.", s.fluid,
+           [&](Scene::Fluid& f) { fluid_keys(v, f); });
+  v.tables("wall", "An obstacle or a tank: `[wall]` for one, `[[wall]]` for several.", s.wall,
+           [&](Scene::Wall& w) { wall_keys(v, w); });
   v.section("solver", "The method and what computes it.", [&] { solver_keys(v, s.solver); });
-  v.section("walls", "The sides of the domain.", [&] {
-    v.number("restitution", s.walls.restitution,
-             {.unit = "",
-              .text = "share of the normal speed that a particle keeps when a wall turns it back",
-              .min = 0,
-              .max = 1});
-  });
+  v.section("walls", "The sides of the domain.", [&] { walls_keys(v, s.walls); });
   v.section("time", "How long, and in what steps.", [&] {
     v.number("end", s.time.end,
              {.unit = "s", .text = "simulated time", .min = 0, .above = true, .required = true});
-    v.number("step", s.time.step,
+    v.number_or_word("step", s.time.step, s.time.adaptive, "adaptive",
+                     {.unit = "s",
+                      .text = "time step; the run takes round(end/step) steps. `\"adaptive\"`: as "
+                              "long as is stable, at most step_max",
+                      .min = 0,
+                      .above = true,
+                      .required = true});
+    v.number("step_max", s.time.step_max,
              {.unit = "s",
-              .text = "time step; the run takes round(end/step) steps",
+              .text = "longest adaptive step",
               .min = 0,
               .above = true,
-              .required = true});
+              .fallback = "none; an adaptive step needs it"});
+    v.choice("integrator", s.time.integrator, integrator_words,
+             {.unit = "",
+              .text = "how a step moves the particles",
+              .fallback = "`symplectic_euler` for `wcsph`, else `leapfrog`"});
   });
   output_keys(v, s);
 }

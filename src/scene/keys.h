@@ -24,13 +24,25 @@ struct KeyDoc {
 using Words = std::span<const char* const>;
 
 // The words of each choice, in the order of its enum.
-inline constexpr const char* shape_words[] = {"box", "lattice"};
+inline constexpr const char* axes_words[] = {"none", "x", "y", "xy", "z", "xz", "yz", "xyz"};
+// A wall has no lattice, which is the last.
+inline constexpr const char* shape_words[] = {"box",   "sphere", "cylinder",
+                                              "plane", "points", "lattice"};
+inline constexpr const char* side_words[] = {"inside", "outside"};
 inline constexpr const char* outside_words[] = {"error", "clamp"};
-inline constexpr const char* solver_words[] = {"mueller2003"};
+inline constexpr const char* pressure_words[] = {"zero", "hydrostatic"};
+inline constexpr const char* solver_words[] = {"mueller2003", "wcsph", "delta_sph"};
 inline constexpr const char* scheme_words[] = {"paper", "article"};
+inline constexpr const char* kernel_words[] = {"cubic_spline", "wendland_c2", "wendland_c4",
+                                               "wendland_c6"};
+inline constexpr const char* diffusion_words[] = {"none", "fourtakas2019", "antuono2010"};
 inline constexpr const char* backend_words[] = {"cpu", "reference"};
 inline constexpr const char* search_words[] = {"grid", "all_pairs"};
 inline constexpr const char* order_words[] = {"cell", "id"};
+inline constexpr const char* method_words[] = {"open",  "reflection", "monaghan2009",
+                                               "ghost", "akinci2012", "adami2012"};
+inline constexpr const char* slip_words[] = {"free_slip", "no_slip"};
+inline constexpr const char* integrator_words[] = {"symplectic_euler", "leapfrog", "verlet"};
 
 /// Someone who walks the table: each call is a key, with the member of the scene that it fills.
 class KeyVisitor {
@@ -38,10 +50,11 @@ class KeyVisitor {
   virtual ~KeyVisitor() = default;
   virtual void section(std::string_view name, std::string_view text,
                        const std::function<void()>& keys) = 0;
-  /// A section that may stand several times; `keys(k)` visits the k-th.
+  /// A section that may stand several times: `resize(n)` makes room for n, `keys(k)` visits the
+  /// k-th.
   virtual void sections(std::string_view name, std::string_view text,
-                        std::vector<Scene::Fluid>& all,
-                        const std::function<void(Scene::Fluid&)>& keys) = 0;
+                        const std::function<void(std::size_t)>& resize,
+                        const std::function<void(std::size_t)>& keys) = 0;
   virtual void text(std::string_view name, std::string& value, const KeyDoc& doc) = 0;
   virtual void number(std::string_view name, double& value, const KeyDoc& doc) = 0;
   virtual void number(std::string_view name, std::optional<double>& value, const KeyDoc& doc) = 0;
@@ -50,6 +63,10 @@ class KeyVisitor {
                        const KeyDoc& doc) = 0;
   virtual void vector(std::string_view name, Vector& value, const KeyDoc& doc) = 0;
   virtual void counts(std::string_view name, Counts& value, const KeyDoc& doc) = 0;
+  /// A number, or a word in its place, which sets `is_word`.
+  virtual void number_or_word(std::string_view name, double& value, bool& is_word, const char* word,
+                              const KeyDoc& doc) = 0;
+  /// The place of a word among `words`; -1 while there is none.
   virtual void word(std::string_view name, int& value, Words words, const KeyDoc& doc) = 0;
 
   /// An enum whose values are the places of its words.
@@ -57,6 +74,22 @@ class KeyVisitor {
     int index = static_cast<int>(value);
     word(name, index, words, doc);
     value = static_cast<E>(index);
+  }
+  template <class E>
+  void choice(std::string_view name, std::optional<E>& value, Words words, const KeyDoc& doc) {
+    int index = value ? static_cast<int>(*value) : -1;
+    word(name, index, words, doc);
+    if (index >= 0) value = static_cast<E>(index);
+  }
+  template <class T, class F>
+  void tables(std::string_view name, std::string_view text, std::vector<T>& all, F keys) {
+    sections(
+        name, text,
+        [&](std::size_t n) {
+          all.clear();
+          all.resize(n);
+        },
+        [&](std::size_t k) { keys(all[k]); });
   }
 };
 

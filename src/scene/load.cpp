@@ -10,6 +10,7 @@
 #include "scene/nesting.h"
 #include "scene/overrides.h"
 #include "scene/reader.h"
+#include "scene/setup.h"
 
 namespace freshet {
 namespace {
@@ -114,6 +115,16 @@ std::string merged_source(const toml::table& table, const std::vector<Override>&
   return merged.str();
 }
 
+/// Files are named relative to the scene.
+void find_files(Scene& scene, const std::string& name) {
+  const std::filesystem::path folder = std::filesystem::path(name).parent_path();
+  const auto find = [&](Scene::Region& r) {
+    if (!r.file.empty()) r.file = (folder / r.file).lexically_normal().string();
+  };
+  for (Scene::Fluid& f : scene.fluid) find(f);
+  for (Scene::Wall& w : scene.wall) find(w);
+}
+
 }  // namespace
 
 Scene parse_scene(const std::string& text, const std::string& name,
@@ -125,6 +136,8 @@ Scene parse_scene(const std::string& text, const std::string& name,
   SceneReader reader(table, name, overridden);
   visit_keys(reader, scene);
   reader.finish();
+  scene = with_defaults(std::move(scene));
+  find_files(scene, name);
   scene.places = reader.places();
   std::vector<Diagnostic> errors = reader.diagnostics();
   const auto more = contradictions(scene, reader.unread());

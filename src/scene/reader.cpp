@@ -68,11 +68,35 @@ std::string limits(const toml::node& node, const KeyDoc& doc, bool whole) {
   return text + (doc.unit.empty() ? "" : fmt::format(" ({})", doc.unit));
 }
 
+/// How many numbers domain.max has; 0 where it is no vector.
+std::size_t dimension_of(const toml::table& root) {
+  const toml::array* max = root["domain"]["max"].as_array();
+  return max && (max->size() == 2 || max->size() == 3) ? max->size() : 0;
+}
+
+/// What a vector must be.
+std::string vector_words(std::size_t dimension, const char* numbers) {
+  if (dimension == 0) return fmt::format("2 or 3 {}, [x, y] or [x, y, z]", numbers);
+  return fmt::format("{} {}, {}, as domain.max has", dimension, numbers,
+                     dimension == 2 ? "[x, y]" : "[x, y, z]");
+}
+
+/// "a", "b" or "c"
+std::string one_of(Words words) {
+  std::string list;
+  for (std::size_t k = 0; k < words.size(); ++k)
+    list += fmt::format("{}\"{}\"", k == 0 ? "" : k + 1 == words.size() ? " or " : ", ", words[k]);
+  return list;
+}
+
 }  // namespace
 
 SceneReader::SceneReader(const toml::table& root, std::string file,
                          std::map<std::string, std::string> overridden)
-    : file_(std::move(file)), overridden_(std::move(overridden)), scope_{&root, "", "", {}} {
+    : file_(std::move(file)),
+      dimension_(dimension_of(root)),
+      overridden_(std::move(overridden)),
+      scope_{&root, "", "", {}} {
   places_[""] = file_;
 }
 
@@ -154,8 +178,9 @@ void SceneReader::section(std::string_view name, std::string_view,
   read_table(node ? *node->as_table() : empty, prefix, prefix, keys);
 }
 
-void SceneReader::sections(std::string_view name, std::string_view, std::vector<Scene::Fluid>& all,
-                           const std::function<void(Scene::Fluid&)>& keys) {
+void SceneReader::sections(std::string_view name, std::string_view,
+                           const std::function<void(std::size_t)>& resize,
+                           const std::function<void(std::size_t)>& keys) {
   const toml::node* node = take(name, {});
   std::vector<const toml::table*> tables;
   if (!node) return;
@@ -166,12 +191,11 @@ void SceneReader::sections(std::string_view name, std::string_view, std::vector<
     reject(node->source(), std::string(name),
            fmt::format("{} is {}; it must be a table, [{}], or several, [[{}]]", name, found(*node),
                        name, name));
-  all.clear();
-  all.resize(tables.size());
+  resize(tables.size());
   for (std::size_t k = 0; k < tables.size(); ++k) {
     const std::string path = fmt::format("{}[{}]", name, k);
     places_[path] = place_of(tables[k]->source(), path);
-    read_table(*tables[k], path + ".", fmt::format("{}.", name), [&] { keys(all[k]); });
+    read_table(*tables[k], path + ".", fmt::format("{}.", name), [&] { keys(k); });
   }
 }
 
@@ -221,10 +245,11 @@ Vector SceneReader::read_array(std::string_view name, const KeyDoc& doc, bool wh
   const toml::node* node = take(name, doc);
   if (!node) return {};
   const auto* a = node->as_array();
-  if (!a || a->size() != 2) {
+  const std::size_t n = a ? a->size() : 0;
+  if (dimension_ ? n != dimension_ : n != 2 && n != 3) {
     reject(node->source(), fmt::format("{}{}", scope_.path, name),
-           fmt::format("{}{} is {}; it must be 2 {}, [x, y]", scope_.name, name, found(*node),
-                       whole ? "whole numbers" : "numbers"));
+           fmt::format("{}{} is {}; it must be {}", scope_.name, name, found(*node),
+                       vector_words(dimension_, whole ? "whole numbers" : "numbers")));
     return {};
   }
   Vector read;
@@ -243,6 +268,22 @@ void SceneReader::counts(std::string_view name, Counts& value, const KeyDoc& doc
     value.assign(read.begin(), read.end());
 }
 
+void SceneReader::number_or_word(std::string_view name, double& value, bool& is_word,
+                                 const char* word, const KeyDoc& doc) {
+  const toml::node* node = take(name, doc);
+  if (!node) return;
+  const auto* s = node->as_string();
+  is_word = s && s->get() == word;
+  if (is_word) return;
+  if (!s) {
+    value = in_range(std::string(name), *node, doc, false).value_or(value);
+    return;
+  }
+  reject(node->source(), fmt::format("{}{}", scope_.path, name),
+         fmt::format("{}{} is {}; it must be {} or \"{}\"", scope_.name, name, found(*node),
+                     limits(*node, doc, false), word));
+}
+
 void SceneReader::word(std::string_view name, int& value, Words words, const KeyDoc& doc) {
   const toml::node* node = take(name, doc);
   if (!node) return;
@@ -257,8 +298,7 @@ void SceneReader::word(std::string_view name, int& value, Words words, const Key
           ? nearest(s->get(), std::set<std::string, std::less<>>(words.begin(), words.end()))
           : "";
   reject(node->source(), fmt::format("{}{}", scope_.path, name),
-         fmt::format("{}{} is {}; it must be \"{}\"{}", scope_.name, name, found(*node),
-                     fmt::join(words, "\" or \""),
+         fmt::format("{}{} is {}; it must be {}{}", scope_.name, name, found(*node), one_of(words),
                      guess.empty() ? "" : fmt::format("; did you mean \"{}\"?", guess)));
 }
 

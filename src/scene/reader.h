@@ -16,7 +16,7 @@ class SceneReader final : public KeyVisitor {
               std::map<std::string, std::string> overridden);
 
   const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
-  /// Where every key and every fluid that was given stands; the file itself is "".
+  /// Where every key and every table that was given stands; the file itself is "".
   const std::map<std::string, std::string>& places() const { return places_; }
   /// The sections with a key that is missing or could not be read.
   const std::set<std::string, std::less<>>& unread() const { return unread_; }
@@ -27,8 +27,9 @@ class SceneReader final : public KeyVisitor {
 
   void section(std::string_view name, std::string_view text,
                const std::function<void()>& keys) override;
-  void sections(std::string_view name, std::string_view text, std::vector<Scene::Fluid>& all,
-                const std::function<void(Scene::Fluid&)>& keys) override;
+  void sections(std::string_view name, std::string_view text,
+                const std::function<void(std::size_t)>& resize,
+                const std::function<void(std::size_t)>& keys) override;
   void text(std::string_view name, std::string& value, const KeyDoc& doc) override;
   void number(std::string_view name, double& value, const KeyDoc& doc) override;
   void number(std::string_view name, std::optional<double>& value, const KeyDoc& doc) override;
@@ -37,6 +38,8 @@ class SceneReader final : public KeyVisitor {
                const KeyDoc& doc) override;
   void vector(std::string_view name, Vector& value, const KeyDoc& doc) override;
   void counts(std::string_view name, Counts& value, const KeyDoc& doc) override;
+  void number_or_word(std::string_view name, double& value, bool& is_word, const char* word,
+                      const KeyDoc& doc) override;
   void word(std::string_view name, int& value, Words words, const KeyDoc& doc) override;
 
  private:
@@ -62,6 +65,7 @@ class SceneReader final : public KeyVisitor {
   std::string place_of(const toml::source_region& where, const std::string& path);
 
   std::string file_;
+  std::size_t dimension_;  // as many numbers as domain.max has; 0 where that is neither 2 nor 3
   std::map<std::string, std::string> overridden_, places_;
   std::map<std::string, toml::source_position> positions_;
   std::set<std::string, std::less<>> unread_;

@@ -1,30 +1,80 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "freshet/scene.h"
 
 namespace freshet {
 
-/// After which steps, counted from 0, something is written. It never changes a step.
-class Schedule {
- public:
-  explicit Schedule(const Scene& scene)
-      : last_(scene.steps() - 1),
-        frame_every_(
-            scene.output.frame_every_steps.value_or(std::max<std::int64_t>(1, last_ / 10))),
-        observe_every_(
-            scene.output.observables_every_steps.value_or(std::max<std::int64_t>(1, last_ / 100))) {
-  }
+/// A step that was taken: its number, counted from 0, and the time before and after it [s].
+struct StepTaken {
+  std::int64_t step;
+  double before, after;
+  bool last;  ///< the run ends with it
+};
 
-  bool frame_after(std::int64_t step) const { return step % frame_every_ == 0 || step == last_; }
-  bool observe_after(std::int64_t step) const {
-    return step % observe_every_ == 0 || step == last_;
+/// Something that is written after step 0, after the last step, and every so many steps or seconds
+/// in between: after the first step at or after each such time.
+class Every {
+ public:
+  Every(std::optional<std::int64_t> steps, std::optional<double> seconds) {
+    if (seconds) seconds_ = *seconds;
+    else steps_ = steps.value_or(1);
   }
-  std::int64_t frames() const { return last_ / frame_every_ + 1 + (last_ % frame_every_ != 0); }
+  bool due(const StepTaken& s) const {
+    if (s.step == 0 || s.last) return true;
+    return steps_ > 0 ? s.step % steps_ == 0 : times_by(s.after) > times_by(s.before);
+  }
+  /// How often in a run of this many steps; in an adaptive one, whose last argument is 0, at most.
+  std::int64_t times(std::int64_t steps, double end, double step) const {
+    const std::int64_t last = steps - 1;
+    if (steps_ > 0) return last / steps_ + 1 + (last % steps_ != 0);
+    if (step == 0) return times_by(end) + 1 + (double(times_by(end)) * seconds_ < end * (1 - 1e-9));
+    const std::int64_t due = times_by(double(steps) * step);
+    if (due == 0) return last == 0 ? 1 : 2;
+    return due + (step_of(1, step) > 0) + (step_of(due, step) < last);
+  }
 
  private:
-  std::int64_t last_, frame_every_, observe_every_;
+  /// The number of times k·seconds, k > 0, up to t; a hair of rounding does not matter.
+  std::int64_t times_by(double t) const { return std::int64_t(t / seconds_ + 1e-9); }
+  /// The step, of this many seconds, after which the k-th is due.
+  std::int64_t step_of(std::int64_t k, double step) const {
+    std::int64_t n = std::llround(double(k) * seconds_ / step);
+    while (n > 1 && times_by(double(n - 1) * step) >= k) --n;
+    while (times_by(double(n) * step) < k) ++n;
+    return n - 1;
+  }
+
+  std::int64_t steps_ = 0;
+  double seconds_ = 0;
+};
+
+/// After which steps something is written. It never changes a step.
+class Schedule {
+ public:
+  explicit Schedule(const Scene& s)
+      : frame_(every(s, s.output.frame_every_steps, s.output.frame_every, 10)),
+        observe_(every(s, s.output.observables_every_steps, s.output.observables_every, 100)),
+        frames_(frame_.times(s.steps(), s.time.end, s.time.adaptive ? 0 : s.time.step)) {}
+
+  bool frame_after(const StepTaken& s) const { return frame_.due(s); }
+  bool observe_after(const StepTaken& s) const { return observe_.due(s); }
+  /// How many pictures a run writes; of an adaptive one the most.
+  std::int64_t frames() const { return frames_; }
+
+ private:
+  static Every every(const Scene& s, std::optional<std::int64_t> steps,
+                     std::optional<double> seconds, std::int64_t parts) {
+    if (!steps && !seconds && s.time.adaptive) seconds = s.time.end / double(parts);
+    if (!steps && !seconds) steps = std::max<std::int64_t>(1, (s.steps() - 1) / parts);
+    return {steps, seconds};
+  }
+
+  Every frame_, observe_;
+  std::int64_t frames_;
 };
 
 }  // namespace freshet

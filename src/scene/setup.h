@@ -5,20 +5,49 @@
 
 namespace freshet {
 
-/// The lattice that a fluid starts on: `count` particles `spacing` apart, the first at `from`.
+/// The scene with its defaults in the place of empty vectors. Loading does it; a scene
+/// made in code goes through here before anything looks at its vectors.
+Scene with_defaults(Scene scene);
+
+/// The lattice that a fluid starts on: `count` particles `spacing` apart, the first at `from`. Of a
+/// box as the fluid fills it; of another shape the places of the box around it. Empty for points.
 struct Lattice {
   Vector from;
   Counts count;
   double particles() const;  ///< as a double: absurd numbers do not overflow
   Vector last(double spacing) const;
 };
-Lattice lattice_of(const Scene::Fluid& fluid, double spacing);
+Lattice lattice_of(const Scene& scene, const Scene::Fluid& fluid);
+
+/// Where the kernels end: as given, or twice the spacing [m].
+double support_radius(const Scene& scene);
+/// k in p = k(rho - rho0) [m²/s²]; that of mueller2003, else the square of the speed of sound.
+double stiffness(const Scene& scene);
+double sound_speed(const Scene& scene);  ///< [m/s]
+
+/// How far from a resting fluid the samples of akinci2012 stand [m], so that it has its rest
+/// density up to the wall: half a spacing of it is the fluid's.
+double single_layer_distance(const Scene& scene);
+
+/// The particles that a wall is sampled with, D numbers each.
+struct WallSample {
+  std::vector<Real> x;
+  std::vector<std::int32_t> wall;  ///< place in Scene::wall_names(); -1: beyond a periodic end
+};
 
 /// Where the particles start, D numbers each; ids count from 0 in this order.
 struct Sample {
   std::vector<Real> x, v;
-  std::int64_t outside = 0;  ///< how many start outside the domain
+  std::vector<Real> density;  ///< one a particle [kg/m^D]: rest density, or what its depth asks for
+  std::int64_t outside = 0;   ///< how many start outside the domain
+  std::int64_t left_out = 0;  ///< places of a fluid's lattice that a wall takes
+  /// Layers beyond the surface: one for akinci2012, at its distance, and one for monaghan2009, half
+  /// a spacing off; for adami2012, from half a spacing on, as many as the support reaches.
+  WallSample akinci2012, adami2012, monaghan2009;
 };
 Sample sample(const Scene& scene);
+
+/// At least as many samples as the walls of the scene get; costs nothing.
+double most_wall_samples(const Scene& scene);
 
 }  // namespace freshet

@@ -22,13 +22,24 @@ class Engine {
     std::size_t bytes_per_particle;
   };
   virtual ~Engine() = default;
-  virtual void step() = 0;
+  virtual void step(double dt) = 0;
+  /// The bounds of the next step, by the state and the accelerations of the last.
+  virtual TimeStepBounds bounds() = 0;
   virtual ParticleView fluid() const = 0;
+  /// The force of the fluid on each wall in the order of Scene::wall_names() [N, N/m in 2D]:
+  /// reflecting walls the mean over `interval` [s], the time since the last call; others now.
+  virtual std::vector<Vector> wall_forces(double interval) = 0;
   virtual const std::vector<VerbTiming>& timings() const = 0;
   virtual std::vector<KeptField> kept() const = 0;
 };
 
-/// One per solver, dimension and backend; each stands in a file of its own.
-std::unique_ptr<Engine> make_reference_mueller2003_2d(const Scene&, const Derived&, const Sample&);
+/// What an engine is made from.
+struct EngineInput {
+  const Scene& scene;
+  const Derived& derived;
+  const Sample& sample;
+  int threads;
+};
+using MakeEngine = std::unique_ptr<Engine>(const EngineInput&);
 
 }  // namespace freshet

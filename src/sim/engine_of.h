@@ -1,32 +1,39 @@
 // SPDX-License-Identifier: MIT
 /// Puts a solver onto a backend. Included by the instantiation files only.
 #pragma once
+#include <algorithm>
 #include <cstring>
 
+#include "sim/enclosure.h"
 #include "sim/engine.h"
+#include "sim/wall_forces.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
 
 template <int D, class Solver, class Backend> class EngineOf final : public Engine {
  public:
-  EngineOf(Backend backend, Solver solver, const Sample& sample)
+  EngineOf(Backend backend, Solver solver, const EngineInput& input)
       : backend_(std::move(backend)), solver_(std::move(solver)) {
-    const int n = int(sample.x.size() / D);
-    backend_.add_set(fluid_, n);
-    allocate("id", Keep::kept, fluid_.id);
-    allocate("x", Keep::kept, fluid_.x);
-    allocate("v", Keep::kept, fluid_.v);
-    fluid_.fields([this](const char* name, Keep keep, auto& f) { this->allocate(name, keep, f); });
-    for (int i = 0; i < n; ++i) fluid_.id[i] = std::uint64_t(i);
-    std::memcpy(static_cast<void*>(fluid_.x.data), sample.x.data(), sample.x.size() * sizeof(Real));
-    std::memcpy(static_cast<void*>(fluid_.v.data), sample.v.data(), sample.v.size() * sizeof(Real));
+    reflectors_ = reflectors<D>(input.scene, reflector_walls_);
+    backend_.add_set(fluid_, int(input.sample.x.size() / D),
+                     copy_rules<D>(input.scene, copy_walls_));
+    confine();
+    fill_fluid(input.sample);
+    fill_wall(walls_.akinci2012, input.sample.akinci2012, input.scene);
+    fill_wall(walls_.adami2012, input.sample.adami2012, input.scene);
+    fill_wall(walls_.monaghan2009, input.sample.monaghan2009, input.scene);
+    wall_count_ = int(input.scene.wall_names().size());
+    if (!copy_walls_.empty()) backend_.allocate(fluid_, Keep::scratch, copy_force_);
+    solver_.prepare(backend_, walls_);
   }
 
-  void step() override {
-    solver_.step(backend_, fluid_, first_);
-    first_ = false;
+  void step(double dt) override {
+    solver_.step(backend_, fluid_, walls_, {Real(dt), steps_});
+    ++steps_;
   }
+  TimeStepBounds bounds() override { return solver_.bounds(backend_, fluid_); }
+
   ParticleView fluid() const override {
     const auto n = std::size_t(fluid_.n);
     return {D,
@@ -38,18 +45,82 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
   const std::vector<VerbTiming>& timings() const override { return backend_.timings(); }
   std::vector<KeptField> kept() const override { return kept_; }
 
+  std::vector<Vector> wall_forces(double interval) override {
+    WallForces<D> forces(std::size_t(wall_count_), double(solver_.c.m));
+    if constexpr (requires { solver_.akinci2012_forces(fluid_, walls_); }) {
+      const Real h = solver_.c.support;
+      forces.add(backend_, h, walls_.akinci2012, fluid_, solver_.akinci2012_forces(fluid_, walls_));
+      forces.add(backend_, h, walls_.adami2012, fluid_, solver_.adami2012_forces(fluid_, walls_));
+      forces.add(backend_, h, walls_.monaghan2009, fluid_,
+                 solver_.monaghan2009_forces(fluid_, walls_));
+    }
+    forces.add_ghosts(backend_, fluid_, solver_.fluid_forces(fluid_), copy_walls_, copy_force_);
+    forces.add_bounces(backend_, fluid_, solver_.c.confine, reflector_walls_, interval);
+    std::fill(bounced_.begin(), bounced_.end(), Vec<D, double>{});
+    return forces.list();
+  }
+
  private:
-  template <class T> void allocate(const char* name, Keep keep, Field<T>& field) {
-    backend_.allocate(fluid_, keep, field);
-    if (keep == Keep::kept)
+  template <class T>
+  void allocate(Particles<D>& set, const char* name, Keep keep, Field<T>& field) {
+    backend_.allocate(set, keep, field);
+    if (keep == Keep::kept && set.set == fluid_.set)
       kept_.push_back({name, reinterpret_cast<const std::byte*>(field.data), sizeof(T)});
+  }
+
+  /// The memory of what keeps particles in place.
+  void confine() {
+    Confinement<D>& c = solver_.c.confine;
+    c.shapes.data = reflectors_.data();
+    c.shape_count = int(reflectors_.size());
+    bounced_.resize(std::size_t(c.walls()) * std::size_t(fluid_.n));
+    c.bounced.data = bounced_.empty() ? nullptr : bounced_.data();
+  }
+
+  void fill_fluid(const Sample& sample) {
+    allocate(fluid_, "id", Keep::kept, fluid_.id);
+    allocate(fluid_, "x", Keep::kept, fluid_.x);
+    allocate(fluid_, "v", Keep::kept, fluid_.v);
+    solver_.fields(fluid_, [this](const char* name, Keep keep, auto& f) {
+      this->allocate(fluid_, name, keep, f);
+    });
+    for (int i = 0; i < fluid_.n; ++i) {
+      fluid_.id[i] = std::uint64_t(i);
+      fluid_.rho[i] = sample.density[std::size_t(i)];
+    }
+    std::memcpy(static_cast<void*>(fluid_.x.data), sample.x.data(), sample.x.size() * sizeof(Real));
+    std::memcpy(static_cast<void*>(fluid_.v.data), sample.v.data(), sample.v.size() * sizeof(Real));
+  }
+
+  template <class Wall> void fill_wall(Wall& wall, const WallSample& sample, const Scene& scene) {
+    backend_.add_set(wall, int(sample.wall.size()));
+    backend_.allocate(wall, Keep::kept, wall.id);
+    backend_.allocate(wall, Keep::kept, wall.x);
+    backend_.allocate(wall, Keep::scratch, wall.v);
+    wall.fields([&](const char*, Keep keep, auto& f) { backend_.allocate(wall, keep, f); });
+    for (int k = 0; k < wall.n; ++k) {
+      const int number = sample.wall[std::size_t(k)];
+      wall.id[k] = std::uint64_t(k);
+      wall.wall[k] = number;
+      const Slip slip =
+          number < 2 * D ? scene.walls.slip : scene.wall[std::size_t(number - 2 * D)].slip;
+      wall.friction[k] = slip == Slip::no_slip;
+    }
+    if (wall.n)
+      std::memcpy(static_cast<void*>(wall.x.data), sample.x.data(), sample.x.size() * sizeof(Real));
   }
 
   Backend backend_;
   Solver solver_;
   typename Solver::Fluid fluid_;
+  Walls<D> walls_;
+  std::vector<Reflector<D>> reflectors_;
+  std::vector<Vec<D, double>> bounced_;
+  std::vector<int> reflector_walls_, copy_walls_;  // places of their names
+  Field<Vec<D>> copy_force_;
+  int wall_count_ = 0;
   std::vector<KeptField> kept_;
-  bool first_ = true;
+  std::int64_t steps_ = 0;
 };
 
 }  // namespace FRESHET_ISA

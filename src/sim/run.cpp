@@ -24,11 +24,32 @@ std::vector<std::string> planned_files(const Schedule& schedule) {
   return files;
 }
 
-std::string observables_line(const Simulation& s) {
+constexpr const char* axis_names[] = {"x", "y", "z"};
+
+std::string observables_header(const Scene& s) {
+  const bool flat = s.dimension() == 2;
+  const char *density = flat ? "kg/m^2" : "kg/m^3", *force = flat ? "N/m" : "N";
+  std::string line = "step,time [s],time step [s],kinetic energy [J],potential energy [J]";
+  for (int d = 0; d < s.dimension(); ++d)
+    line += fmt::format(",momentum {} [kg m/s]", axis_names[d]);
+  line += fmt::format(",density mean [{0}],density max [{0}],speed mean [m/s],speed max [m/s]",
+                      density);
+  for (const std::string& name : s.wall_names())
+    for (int d = 0; d < s.dimension(); ++d)
+      line += fmt::format(",force on {} {} [{}]", name, axis_names[d], force);
+  return line + "\n";
+}
+
+std::string observables_line(const Simulation& s, const std::vector<Vector>& wall_forces) {
   const Statistics t = s.statistics();
-  return fmt::format("{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
-                     s.steps_done(), s.time(), t.kinetic_energy, t.potential_energy, t.momentum_x,
-                     t.momentum_y, t.density_mean, t.density_max, t.speed_mean, t.speed_max);
+  std::string line = fmt::format("{},{:.9g},{:.9g},{:.9g},{:.9g}", s.steps_done(), s.time(),
+                                 s.time_steps().last, t.kinetic_energy, t.potential_energy);
+  for (const double p : t.momentum) line += fmt::format(",{:.9g}", p);
+  line += fmt::format(",{:.9g},{:.9g},{:.9g},{:.9g}", t.density_mean, t.density_max, t.speed_mean,
+                      t.speed_max);
+  for (const Vector& force : wall_forces)
+    for (const double f : force) line += fmt::format(",{:.9g}", f);
+  return line + "\n";
 }
 
 CheckResult compare(std::string name, double value, std::string relation, double bound) {
@@ -65,7 +86,7 @@ Provenance provenance(const Scene& scene, const RunOptions& options) {
 /// The run's pictures and tables, written as the run goes.
 class Observer {
  public:
-  Observer(const Simulation& sim, const RunOptions& options)
+  Observer(Simulation& sim, const RunOptions& options)
       : sim_(sim),
         schedule_(sim.scene()),
         video_(options.video),
@@ -77,8 +98,12 @@ class Observer {
   }
 
   void after_step() {
-    const std::int64_t step = sim_.steps_done() - 1;  // counted from 0
-    if (schedule_.observe_after(step)) observables_ += observables_line(sim_);
+    const StepTaken step{sim_.steps_done() - 1, before_, sim_.time(), sim_.finished()};
+    before_ = sim_.time();
+    if (schedule_.observe_after(step)) {
+      wall_forces_ = sim_.wall_forces();
+      observables_ += observables_line(sim_, wall_forces_);
+    }
     if (schedule_.frame_after(step)) {
       folder_.write(frame_name(frames_++), encode_png(draw()));
       folder_.write("observables.csv", observables_);
@@ -92,6 +117,9 @@ class Observer {
   void finish(Report& report) {
     const Image result = draw();
     report.picture = picture_statistics(result);
+    const auto names = sim_.scene().wall_names();
+    for (std::size_t w = 0; w < wall_forces_.size(); ++w)
+      report.wall_forces.emplace_back(names[w], wall_forces_[w]);
     report.checks = evaluate(sim_.scene().checks, report);
     for (const CheckResult& check : report.checks)
       if (!check.passed && report.state == Report::State::done)
@@ -106,25 +134,24 @@ class Observer {
   void fail() { folder_.finish("failed"); }
 
  private:
-  Image draw() const { return draw_dots(sim_.scene(), sim_.fluid()); }
+  Image draw() const { return freshet::draw(sim_.scene(), sim_.fluid()); }
 
-  const Simulation& sim_;
+  Simulation& sim_;
   Schedule schedule_;
+  double before_ = 0;                // the last step
+  std::vector<Vector> wall_forces_;  // as last observed
   std::optional<VideoOptions> video_;
   RunFolder folder_;
   std::optional<Video> film_;
   std::int64_t frames_ = 0, filmed_ = 0;
-  std::string observables_ =
-      "step,time [s],kinetic energy [J],potential energy [J],momentum x [kg m/s],"
-      "momentum y [kg m/s],density mean [kg/m^2],density max [kg/m^2],speed mean [m/s],"
-      "speed max [m/s]\n";
+  std::string observables_ = observables_header(sim_.scene());
 };
 
 /// Steps to the end, or until after_step says no. Returns the seconds that the steps took.
 double steps(Simulation& sim, Observer& observer, const RunOptions& options, bool& interrupted) {
   using Clock = std::chrono::steady_clock;
   double seconds = 0;
-  while (sim.steps_done() < sim.scene().steps() && !interrupted) {
+  while (!sim.finished() && !interrupted) {
     const auto start = Clock::now();
     sim.step();
     seconds += std::chrono::duration<double>(Clock::now() - start).count();
@@ -142,6 +169,7 @@ Report report_of(const Simulation& sim, const RunOptions& options) {
   r.solver = solver_words[int(sim.scene().solver.name)];
   r.steps = sim.steps_done();
   r.time = sim.time();
+  r.time_steps = sim.time_steps();
   r.statistics = sim.statistics();
   r.verbs = sim.timings();
   r.state_sha256 = sim.state_sha256();
@@ -160,7 +188,7 @@ Report run(const Scene& scene, const RunOptions& options) {
     const double seconds = steps(sim, observer, options, interrupted);
     Report report = report_of(sim, options);
     report.seconds = seconds;
-    if (interrupted && sim.steps_done() < scene.steps()) report.state = Report::State::interrupted;
+    if (interrupted && !sim.finished()) report.state = Report::State::interrupted;
     observer.finish(report);
     return report;
   } catch (...) {

@@ -29,18 +29,23 @@ struct AnyMap {
 template <class B, int D>
 concept Backend = requires(B b, Particles<D> p, Particles<D> wall, Real h, AnyTerm term,
                            AnyFinish finish, AnyVisit visit, AnyMap map) {
-  /// For every i of p the particles j of each set with |x_ij| < h, i itself among them. May sort
-  /// the fields of p.
+  /// For every i of p the particles j of each set with |x_ij| < h, i itself among them, and copies
+  /// of j. Makes the copies of p anew, and may sort the fields of p (the first time of all sets).
   b.find_neighbors("", h, p, wall);
-  /// finish(i, sum_j term(pair, at(i), neighbor(j))), set by set, cell by cell, by id in a cell.
+  /// The same for targets that stand still, over a set whose neighbours have been found: by where
+  /// its particles were then.
+  b.list_neighbors("", h, wall, p);
+  /// finish(i, sum_j term(pair, at(i), neighbor(j))), set by set, cell by cell, by id in a cell;
+  /// copies after all others.
   b.sum_pairs("", p, over(p, term), finish);
   b.sum_pairs("", p, over(p, term), over(wall, term), finish);
   /// visit(i) for every particle.
   b.for_each("", p, visit);
   /// Copies of particles (periodic images, ghosts, halos) learn new values of these fields.
-  b.share("", p.x, p.v);
-  /// max_i map(i), independent of threads.
+  b.share("", p, p.x, p.v);
+  /// max_i map(i), and sum_i map(i): independent of threads, sums by fixed point.
   { b.max("", p, map) } -> std::convertible_to<double>;
+  { b.sum("", p, map) } -> std::convertible_to<double>;
 };
 
 }  // namespace FRESHET_ISA

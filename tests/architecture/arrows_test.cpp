@@ -12,24 +12,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What each folder of src/ may include besides itself and the standard library. "api" stands for
-/// include/freshet.
+/// What each folder of src/ may include besides itself and the standard library: folders, or single
+/// headers. "api" stands for include/freshet.
 const std::map<std::string, std::set<std::string>> arrows{
     {"core", {"api"}},
     {"kernels", {"core"}},
     {"pairs", {"core", "kernels"}},
     {"boundary", {"core"}},
-    {"solvers", {"core", "kernels", "pairs", "boundary"}},
-    {"scene", {"api", "core", "kernels", "toml++", "fmt", "nlohmann"}},
+    {"solvers", {"core", "kernels", "pairs", "boundary", "freshet/time_step.h"}},
+    {"scene", {"api", "core", "kernels", "boundary", "toml++", "fmt", "nlohmann"}},
     {"render", {"api", "spng.h"}},
     {"io", {"api", "render", "fmt", "nlohmann", "openssl", "commit.h"}},
-    {"backend", {"api", "core"}},
+    {"backend", {"api", "core", "boundary"}},
     {"backend/reference", {"api", "core", "backend"}},
     {"backend/cpu", {"api", "core", "backend", "omp.h", "immintrin.h"}},
-    {"backend/cuda", {"core", "kernels", "pairs", "boundary"}},
+    {"backend/cuda", {"core", "kernels", "solvers", "backend/cuda"}},
     {"sim",
-     {"api", "core", "scene", "solvers", "backend", "backend/reference", "backend/cpu", "render",
-      "io", "fmt"}},
+     {"api", "core", "kernels", "pairs", "boundary", "scene", "solvers", "backend",
+      "backend/reference", "backend/cpu", "render", "io", "fmt"}},
 };
 
 bool is_system(const std::string& include) {
@@ -60,7 +60,8 @@ TEST(Architecture, ArrowsPointOneWay) {
     for (std::string text; std::getline(in, text);) {
       if (!std::regex_match(text, match, line) || is_system(match[1])) continue;
       const std::string to = folder_of(match[1]);
-      EXPECT_TRUE(to == folder || arrows.at(folder).contains(to))
+      const auto& may = arrows.at(folder);
+      EXPECT_TRUE(to == folder || may.contains(to) || may.contains(match[1]))
           << relative << " includes " << match[1];
       ++read;
     }

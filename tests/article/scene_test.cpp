@@ -100,7 +100,7 @@ TEST_F(ArticleScene, BottomThirdCountsPixelsNotParticles) {
 // 0.5 loses half of the speed, so three quarters of the energy; half the energy is the root of it.
 TEST(ArticleWalls, LoseThreeQuartersOfTheNormalEnergy) {
   const auto share_left = [](Real restitution) {
-    const BoxWalls<2> walls{{0, 0}, {4, 3}, restitution, true};
+    const BoxWalls<2> walls{{0, 0}, {4, 3}, restitution, 0b1111, true};
     Vec<2> x{2, Real(-0.01)}, v{1, -4};
     walls(x, v);
     EXPECT_EQ(0, x.y);

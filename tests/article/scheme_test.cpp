@@ -27,23 +27,25 @@ TEST(ArticleScheme, DiffersFromThePapersInFiveThings) {
   EXPECT_FLOAT_EQ(float(double(paper.m) / (1 + of_paper.density_error)), float(paper.m_density));
   EXPECT_EQ(Real(20), article.speed_limit);  // 3
   EXPECT_TRUE(std::isinf(paper.speed_limit));
-  EXPECT_TRUE(article.walls.onto_wall);  // 4
-  EXPECT_FALSE(paper.walls.onto_wall);
-  EXPECT_TRUE(article.kick_drift);  // 5
-  EXPECT_FALSE(paper.kick_drift);
+  EXPECT_TRUE(article.confine.box.onto_wall);  // 4
+  EXPECT_FALSE(paper.confine.box.onto_wall);
+  EXPECT_TRUE(article.article);  // 5
+  EXPECT_FALSE(paper.article);
+  EXPECT_EQ(Integrator::leapfrog, paper.integrator);
 
-  EXPECT_EQ(article.dt, paper.dt);
+  EXPECT_EQ(article_s.time.step, paper_s.time.step);
   EXPECT_EQ(article.h, paper.h);
   EXPECT_EQ(article.rho0, paper.rho0);
   EXPECT_EQ(article.k, paper.k);
   EXPECT_EQ(article.mu, paper.mu);
   EXPECT_EQ(article.gravity.x, paper.gravity.x);
   EXPECT_EQ(article.gravity.y, paper.gravity.y);
-  EXPECT_EQ(article.walls.min.x, paper.walls.min.x);
-  EXPECT_EQ(article.walls.min.y, paper.walls.min.y);
-  EXPECT_EQ(article.walls.max.x, paper.walls.max.x);
-  EXPECT_EQ(article.walls.max.y, paper.walls.max.y);
-  EXPECT_EQ(article.walls.restitution, paper.walls.restitution);
+  EXPECT_EQ(article.confine.box.min.x, paper.confine.box.min.x);
+  EXPECT_EQ(article.confine.box.min.y, paper.confine.box.min.y);
+  EXPECT_EQ(article.confine.box.max.x, paper.confine.box.max.x);
+  EXPECT_EQ(article.confine.box.max.y, paper.confine.box.max.y);
+  EXPECT_EQ(article.confine.box.sides, paper.confine.box.sides);
+  EXPECT_EQ(article.confine.box.restitution, paper.confine.box.restitution);
 }
 
 }  // namespace

@@ -50,9 +50,10 @@ Candidates candidates(int side, double h) {
   Sample start = block(side);
   const Particles<2> p = particles(start);
   CellGrid<2> grid;
+  const CellGrid<2> no_copies;
   grid.build(Real(h), p.x, p.n);
   Candidates c;
-  grid.for_each(grid, [&](const auto&, const auto& near) {
+  grid.for_each(grid, no_copies, [&](const auto&, const auto& near) {
     c.most = std::max(c.most, near.size());
     c.mean += double(near.size()) / p.n;
   });

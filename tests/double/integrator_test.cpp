@@ -13,19 +13,18 @@ constexpr double end = 0.1;  // [s]: sound crosses the patch
 constexpr int coarsest = 25, finest = 400;
 
 /// The patch at the end of a run of that many steps; `half_step_early` are its first velocities.
-FreePatch after(int steps, bool kick_drift, bool half_step_early = false, Real mu = 0.1) {
-  auto c = FreePatch::parameters(end / steps);
-  c.kick_drift = kick_drift;
+FreePatch after(int steps, bool article, bool half_step_early = false, Real mu = 0.1) {
+  auto c = mueller2003_patch<2>(Integrator::leapfrog);
+  c.article = article;
   c.mu = mu;
-  FreePatch patch;
+  const Real dt = end / steps;
+  FreePatch patch({c});
   if (half_step_early) {
-    FreePatch start;
-    auto still = c;
-    still.dt = 0;  // a step of no length leaves the accelerations at the start
-    start.run(still, 1);
-    for (int i = 0; i < patch.fluid.n; ++i) patch.fluid.v[i] += -c.dt / 2 * start.fluid.a[i];
+    FreePatch start({c});
+    start.run(0, 1);  // a step of no length leaves the accelerations at the start
+    for (int i = 0; i < patch.fluid.n; ++i) patch.fluid.v[i] += -dt / 2 * start.fluid.a[i];
   }
-  patch.run(c, steps);
+  patch.run(dt, steps);
   return patch;
 }
 

@@ -21,6 +21,7 @@ TEST(SpeedColor, GoesFromBlueOverYellowToRed) {
 class OneDot : public ::testing::Test {
  protected:
   Image draw(Real px, Real py) {
+    scene.domain.min = {0, 0};
     scene.domain.max = {4, 3};
     x = {px, py};
     return draw_dots(scene, {2, id, x, v, density});

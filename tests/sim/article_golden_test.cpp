@@ -57,7 +57,7 @@ TEST(Golden, MuellersPaperScheme) {
   Simulation sim(load_scene(SOURCE_DIR "/scenes/article_corrected.toml",
                             {{"particles.spacing", "0.1"}, {"particles.support_radius", "0.2"}}));
   while (sim.steps_done() < 500) sim.step();
-  EXPECT_EQ("26de8f4f09beb1a8511f2667dc26accc4aa92d70275e0700bb2a0c77b1838504", sim.state_sha256());
+  EXPECT_EQ("ef53cec6650e088d7fbce2443e06977612a5b46aabe98c7e7f89e76bc3e4d533", sim.state_sha256());
 }
 
 #endif

@@ -12,47 +12,94 @@ namespace freshet {
 inline namespace FRESHET_ISA {
 
 #if !defined(FRESHET_PLAIN_LANES) && !defined(__AVX512F__)
-/// For each mask the lanes that are set, first ones first.
+/// For each mask the lanes that are set, first ones first; a byte each: all masks fit the L1 cache.
 struct CompactionTable {
-  alignas(64) std::uint32_t lane[1 << lanes][lanes];
+  alignas(64) std::uint8_t lane[1 << lanes][lanes];
   constexpr CompactionTable() : lane{} {
     for (unsigned mask = 0; mask < (1u << lanes); ++mask) {
       int n = 0;
       for (unsigned l = 0; l < unsigned(lanes); ++l)
-        if (mask >> l & 1) lane[mask][n++] = l;
+        if (mask >> l & 1) lane[mask][n++] = std::uint8_t(l);
     }
   }
 };
 inline constexpr CompactionTable compaction;
 #endif
 
-/// Writes the ids of the lanes set in m to `to` (and up to `lanes` ints in all); returns how many.
-FRESHET_HD int append(int* to, Mask m, const int* id) {
-  const unsigned b = bits(m);
-#if defined(FRESHET_PLAIN_LANES)
-  int n = 0;
-  for (int l = 0; l < lanes; ++l) {
-    to[n] = id[l];
-    n += int(b >> l & 1);
-  }
-  return n;
-#elif defined(__AVX512F__)
-  _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(m.m, _mm512_loadu_si512(id)));
-  return std::popcount(b);
-#elif defined(__AVX2__)
-  const __m256i lane = _mm256_load_si256(reinterpret_cast<const __m256i*>(compaction.lane[b]));
-  const __m256i ids = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(id));
-  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(ids, lane));
-  return std::popcount(b);
-#else
-  // pshufb moves bytes: lane k becomes the bytes 4k ... 4k + 3
-  const __m128i lane = _mm_load_si128(reinterpret_cast<const __m128i*>(compaction.lane[b]));
-  const __m128i bytes =
-      _mm_add_epi8(_mm_mullo_epi32(lane, _mm_set1_epi32(0x04040404)), _mm_set1_epi32(0x03020100));
-  const __m128i ids = _mm_loadu_si128(reinterpret_cast<const __m128i*>(id));
-  _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm_shuffle_epi8(ids, bytes));
-  return std::popcount(b);
+#if !defined(FRESHET_PLAIN_LANES)
+typedef int Ints __attribute__((vector_size(4 * lanes)));
+FRESHET_HD Ints counting() {
+  return []<int... l>(std::integer_sequence<int, l...>) { return Ints{l...}; }
+  (std::make_integer_sequence<int, lanes>());
+}
 #endif
+
+/// Lanes of a pack: those set in a mask, first ones first.
+class Compaction {
+ public:
+  FRESHET_HD explicit Compaction(unsigned mask) : mask_(mask) {
+#if defined(__AVX2__) && !defined(__AVX512F__) && !defined(FRESHET_PLAIN_LANES)
+    const auto* set = reinterpret_cast<const __m128i*>(compaction.lane[mask]);
+    lane_ = _mm256_cvtepu8_epi32(_mm_loadl_epi64(set));
+#elif !defined(__AVX512F__) && !defined(FRESHET_PLAIN_LANES)
+    // pshufb moves bytes: lane k becomes the bytes 4k ... 4k + 3
+    int set;
+    std::memcpy(&set, compaction.lane[mask], sizeof set);
+    lane_ = _mm_cvtepu8_epi32(_mm_cvtsi32_si128(set));
+    lane_ = _mm_add_epi8(_mm_mullo_epi32(lane_, _mm_set1_epi32(0x04040404)),
+                         _mm_set1_epi32(0x03020100));
+#endif
+  }
+  FRESHET_HD int count() const { return std::popcount(mask_); }
+
+  /// Writes the lanes in the mask of four-byte values (and up to `lanes` of them in all).
+  template <class T> FRESHET_HD void operator()(const T* from, T* to) const {
+#if defined(FRESHET_PLAIN_LANES)
+    int n = 0;
+    for (int l = 0; l < lanes; ++l) {
+      to[n] = from[l];
+      n += int(mask_ >> l & 1);
+    }
+#elif defined(__AVX512F__)
+    _mm512_storeu_si512(to,
+                        _mm512_maskz_compress_epi32(__mmask16(mask_), _mm512_loadu_si512(from)));
+#elif defined(__AVX2__)
+    __m256i v = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
+    asm("" : "+x"(v));  // vpermd takes half as long again when it loads
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(v, lane_));
+#else
+    const __m128i v = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm_shuffle_epi8(v, lane_));
+#endif
+  }
+  /// The same of first, first + 1 ...
+  FRESHET_HD void count_up(int first, int* to) const {
+#if defined(FRESHET_PLAIN_LANES)
+    int all[lanes];
+    for (int l = 0; l < lanes; ++l) all[l] = first + l;
+    (*this)(all, to);
+#elif defined(__AVX2__) && !defined(__AVX512F__)
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
+                        _mm256_add_epi32(lane_, _mm256_set1_epi32(first)));
+#else  // in registers: a vector read right after its parts were written waits for the cache
+    Ints all = counting();
+    all += first;
+    (*this)(reinterpret_cast<const int*>(&all), to);
+#endif
+  }
+
+ private:
+  unsigned mask_;
+#if defined(__AVX2__) && !defined(__AVX512F__) && !defined(FRESHET_PLAIN_LANES)
+  __m256i lane_;
+#elif !defined(__AVX512F__) && !defined(FRESHET_PLAIN_LANES)
+  __m128i lane_;
+#endif
+};
+
+/// `lanes` times the same.
+FRESHET_HD void fill(int* to, int value) {
+  for (int l = 0; l < lanes; ++l) to[l] = value;
 }
 
 /// out[k * lanes + l] = rows[l * stride + k] for k, l < lanes.

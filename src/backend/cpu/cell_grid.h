@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "backend/cpu/buffer.h"
 #include "backend/cpu/pack.h"
@@ -17,28 +19,39 @@ inline namespace FRESHET_ISA {
 ///
 /// The cells form a torus around what is occupied: a particle far away wraps around into it, where
 /// the test of distance tells it from the near ones. So cells are never more than a few a particle,
-/// and neighbours never more than one cell apart.
+/// and along no axis that wraps so few that a search would meet one twice.
 template <int D> class CpuCellGrid {
  public:
-  /// The torus cell of a cell, or -1 where none is.
-  FRESHET_HD int index(const Cell<D>& cell) const {
+  /// A row of cells along x: their first number, and how many there are (none outside).
+  struct Row {
+    int first, cells;
+  };
+  /// The row with these coordinates along y and z; c[0] does not count.
+  FRESHET_HD Row row(const Cell<D>& cell) const {
     int at = 0;
-    for (int d = D - 1; d >= 0; --d) {
-      std::int64_t r = cell.c[d] - low_[d];
-      if (r < 0 || r >= size_[d]) {
-        if (!wraps_[d]) return -1;
-        r %= size_[d];
-        if (r < 0) r += size_[d];
-      }
-      at = at * size_[d] + int(r);
+    for (int d = D - 1; d > 0; --d) {
+      const int r = (cell.c[d] - low_[d]) & wrap_[d];
+      if (r < 0 || r >= size_[d]) return {0, 0};
+      at = at * size_[d] + r;
     }
-    return at;
+    return {at * size_[0], size_[0]};
   }
+  /// Where a cell with this coordinate along x lies in its row: outside of it, maybe, unless rows
+  /// wrap.
+  FRESHET_HD int place_in_row(std::int32_t x) const { return (x - low_[0]) & wrap_[0]; }
+  bool rows_wrap() const { return wrap_[0] != -1; }
+
+  const Cells<D>& cells() const { return cells_; }
+  /// Sorted place of the first particle of each cell, and behind them their number.
+  const int* starts() const { return start_.get(); }
   int begin(int cell) const { return start_.get()[cell]; }
   int end(int cell) const { return start_.get()[cell + 1]; }
-  /// The cell of the particle at `i` of the sorted order.
-  const Cell<D>& cell_of(int i) const { return cells_.get()[i]; }
+  /// Component d of all positions, sorted; `lanes` more may be read.
   const Real* component(int d) const { return x_[d].get(); }
+  FRESHET_HD Vec<D> position(int i) const {
+    if constexpr (D == 3) return {component(0)[i], component(1)[i], component(2)[i]};
+    else return {component(0)[i], component(1)[i]};
+  }
   /// Sorted place -> place before.
   const int* order() const { return order_.get(); }
   int n() const { return n_; }
@@ -46,134 +59,179 @@ template <int D> class CpuCellGrid {
 
   void build(const Threads& threads, Real support_radius, const Particles<D>& p) {
     n_ = p.n;
-    const Cells<D> cells(support_radius);
-    Cell<D>* unsorted = unsorted_.reserve(std::size_t(n_));
+    cells_ = Cells<D>(support_radius);
+    choose_torus(threads, p);
+    part_into_buckets(threads, p);
+    sort_buckets(threads, p);
+  }
+
+  /// Positions and ids in their new order.
+  void write(const Threads& threads, const Particles<D>& p) const {
     threads.blocks(n_, [&](int b, int e) {
-      for (int i = b; i < e; ++i) unsorted[i] = cells(p.x[i]);
+      for (int i = b; i < e; ++i) {
+        Vec<D> y;
+        for (int d = 0; d < D; ++d) freshet::component(y, d) = component(d)[i];
+        p.x[i] = y;
+      }
+      std::memcpy(p.id.data + b, id_.get() + b, std::size_t(e - b) * sizeof *id_.get());
     });
-    choose_torus(threads);
-    count(threads);
-    place(threads, p);
   }
 
  private:
-  /// As large as what is occupied, but at most two cells a particle: then the longest side wraps.
-  void choose_torus(const Threads& threads) {
+  /// As large as what is occupied, but at most eight cells a particle: then the longest sides wrap,
+  /// their lengths powers of two.
+  void choose_torus(const Threads& threads, const Particles<D>& p) {
     const int parts = (n_ + Threads::block - 1) / Threads::block;
     Box* boxes = boxes_.reserve(std::size_t(parts));
     threads.blocks(n_, [&](int b, int e) {
       Box box;
-      for (int i = b; i < e; ++i) box.add(unsorted_.get()[i]);
+      for (int i = b; i < e; ++i) box.add(p.x[i]);
       boxes[b / Threads::block] = box;
     });
     Box all;
-    for (int k = 0; k < parts; ++k) all.add(boxes[k]);
+    for (int k = 0; k < parts; ++k) all.add(boxes[k].low), all.add(boxes[k].high);
+    const Cell<D> low = cells_(all.low), high = cells_(all.high);
     std::int64_t sides[D];
-    for (int d = 0; d < D; ++d) sides[d] = n_ ? all.high.c[d] - all.low.c[d] + 1 : 1;
+    for (int d = 0; d < D; ++d) {
+      low_[d] = low.c[d];
+      sides[d] = std::max(std::int64_t(high.c[d]) - low.c[d] + 1, std::int64_t(1));
+      wrap_[d] = -1;
+    }
     const auto cells = [&] {
       double product = 1;
       for (const auto side : sides) product *= double(side);
       return product;
     };
-    bool wraps[D] = {};
-    while (cells() > std::max(64.0, 2.0 * n_)) {
+    while (cells() > most_cells()) {
       const auto d = std::max_element(sides, sides + D) - sides;
-      sides[d] = std::max<std::int64_t>(3, sides[d] / 2);
-      wraps[d] = true;
-      if (sides[d] == 3) break;  // the longest is three: all are
+      sides[d] = std::int64_t(std::bit_ceil(std::uint64_t(sides[d])) / 2);
+      wrap_[d] = int(sides[d] - 1);
     }
-    for (int d = 0; d < D; ++d) {
-      low_[d] = n_ ? all.low.c[d] : 0;
-      size_[d] = int(sides[d]);
-      wraps_[d] = wraps[d];
-    }
+    for (int d = 0; d < D; ++d) size_[d] = int(sides[d]);
     cell_count_ = int(cells());
   }
 
-  /// How many particles of each part (one a thread) lie in each cell, then where they go.
-  void count(const Threads& threads) {
-    const int parts = threads.count();
-    const auto cell_count = std::size_t(cell_count_);
-    int* key = key_.reserve(std::size_t(n_));
-    int* histogram = histogram_.reserve(std::size_t(parts) * cell_count);
-    int* start = start_.reserve(cell_count + 1);
-    threads.parts(parts, [&](int t) {
-      int* mine = histogram + std::size_t(t) * cell_count;
-      std::fill_n(mine, cell_count, 0);
-      for (int i = first_of(t, parts); i < first_of(t + 1, parts); ++i)
-        ++mine[key[i] = index(unsorted_.get()[i])];
-    });
+  /// No side gets shorter than 16. What depends on cells has room for so many from the start, so
+  /// that fluid which spreads takes no memory.
+  double most_cells() const { return std::max(16.0 * 16 * 16, 8.0 * n_); }
+
+  /// The torus cell of a position. (A NaN ends at some border.)
+  FRESHET_HD int key(Vec<D> x) const {
+    const Cell<D> cell = cells_(x);
     int at = 0;
-    for (std::size_t c = 0; c < cell_count; ++c) {
-      start[c] = at;
-      for (int t = 0; t < parts; ++t)
-        at += std::exchange(histogram[std::size_t(t) * cell_count + c], at);
+    for (int d = D - 1; d >= 0; --d) {
+      const int r = (cell.c[d] - low_[d]) & wrap_[d];
+      at = at * size_[d] + std::clamp(r, 0, size_[d] - 1);
     }
-    start[cell_count] = at;
+    return at;
   }
 
-  void place(const Threads& threads, const Particles<D>& p) {
+  /// A bucket is a run of cells that one thread sorts in its cache.
+  static constexpr int bucket_bits = 8;
+  struct Item {
+    int key, index;
+  };
+
+  /// Each part (one a thread) counts what it has for each bucket, then moves it there.
+  void part_into_buckets(const Threads& threads, const Particles<D>& p) {
     const int parts = threads.count();
-    int* order = order_.reserve(std::size_t(n_));
+    buckets_ = (cell_count_ + (1 << bucket_bits) - 1) >> bucket_bits;
+    const auto buckets = std::size_t(buckets_);
+    int* keys = key_.reserve(std::size_t(n_));
+    const std::size_t most_buckets = std::size_t(most_cells()) / (1 << bucket_bits) + 1;
+    int* histogram = histogram_.reserve(std::size_t(parts) * most_buckets);
+    int* bucket = bucket_.reserve(most_buckets + 1);
     threads.parts(parts, [&](int t) {
-      int* mine = histogram_.get() + std::size_t(t) * std::size_t(cell_count_);
-      for (int i = first_of(t, parts); i < first_of(t + 1, parts); ++i)
-        order[mine[key_.get()[i]]++] = i;
-    });
-    Cell<D>* cells = cells_.reserve(std::size_t(n_));
-    Real* x[D];
-    for (int d = 0; d < D; ++d) x[d] = x_[d].reserve(std::size_t(n_ + lanes));
-    threads.blocks(cell_count_, [&](int b, int e) {
-      for (int c = b; c < e; ++c) sort_by_id(order + begin(c), order + end(c), p.id);
-      for (int at = begin(b); at < end(e - 1); ++at) {
-        cells[at] = unsorted_.get()[order[at]];
-        Vec<D> y = p.x[order[at]];
-        for (int d = 0; d < D; ++d) x[d][at] = freshet::component(y, d);
+      int* mine = histogram + std::size_t(t) * buckets;
+      std::fill_n(mine, buckets, 0);
+      for (int i = first_of(t, parts); i < first_of(t + 1, parts); ++i) {
+        keys[i] = key(p.x[i]);
+        ++mine[keys[i] >> bucket_bits];
       }
     });
+    int at = 0;
+    for (std::size_t b = 0; b < buckets; ++b) {
+      bucket[b] = at;
+      for (int t = 0; t < parts; ++t)
+        at += std::exchange(histogram[std::size_t(t) * buckets + b], at);
+    }
+    bucket[buckets] = at;
+    Item* items = items_.reserve(std::size_t(n_));
+    threads.parts(parts, [&](int t) {
+      int* mine = histogram + std::size_t(t) * buckets;
+      for (int i = first_of(t, parts); i < first_of(t + 1, parts); ++i)
+        items[mine[keys[i] >> bucket_bits]++] = {keys[i], i};
+    });
   }
 
-  /// Insertion: a cell holds few particles, which kept their order since the last step but for
-  /// those that came in; a crowd is sorted properly.
-  static void sort_by_id(int* first, int* last, Field<std::uint64_t> id) {
-    if (last - first > 64) {
-      std::sort(first, last, [&](int a, int b) { return id[a] < id[b]; });
-      return;
+  void sort_buckets(const Threads& threads, const Particles<D>& p) {
+    start_.reserve(std::size_t(most_cells()) + 1);
+    order_.reserve(std::size_t(n_));
+    id_.reserve(std::size_t(n_));
+    for (Buffer<Real>& x : x_) x.reserve(std::size_t(n_ + lanes));
+    constexpr int together = 8;
+    threads.parts((buckets_ + together - 1) / together, [&](int k) {
+      for (int b = k * together; b < std::min(buckets_, (k + 1) * together); ++b) sort_bucket(b, p);
+    });
+    start_.get()[cell_count_] = n_;
+    for (Buffer<Real>& x : x_) std::fill_n(x.get() + n_, lanes, Real(0));
+  }
+
+  void sort_bucket(int b, const Particles<D>& p) {
+    const int first_cell = b << bucket_bits;
+    const int cells = std::min(1 << bucket_bits, cell_count_ - first_cell);
+    const Item* items = items_.get();
+    const int begin = bucket_.get()[b], end = bucket_.get()[b + 1];
+    int next[1 << bucket_bits] = {};
+    for (int k = begin; k < end; ++k) ++next[items[k].key - first_cell];
+    int* start = start_.get() + first_cell;
+    for (int c = 0, at = begin; c < cells; ++c) {
+      start[c] = at;
+      at += std::exchange(next[c], at);
     }
-    for (int* k = first; k < last; ++k) {
-      const int one = *k;
-      int* to = k;
-      for (; to > first && id[to[-1]] > id[one]; --to) *to = to[-1];
-      *to = one;
+    int* order = order_.get();
+    std::uint64_t* id = id_.get();
+    for (int k = begin; k < end; ++k) {
+      // Most kept their order since the last step: few go before one that came earlier.
+      const int index = items[k].index, c = items[k].key - first_cell;
+      const std::uint64_t own = p.id[index];
+      int to = next[c]++;
+      for (; to > start[c] && id[to - 1] > own; --to) {
+        id[to] = id[to - 1];
+        order[to] = order[to - 1];
+      }
+      id[to] = own;
+      order[to] = index;
+    }
+    for (int at = begin; at < end; ++at) {
+      Vec<D> y = p.x[order[at]];
+      for (int d = 0; d < D; ++d) x_[d].get()[at] = freshet::component(y, d);
     }
   }
 
   int first_of(int part, int parts) const { return int(std::int64_t(n_) * part / parts); }
 
   struct Box {
-    Cell<D> low, high;
+    Vec<D> low, high;
     Box() {
       for (int d = 0; d < D; ++d) {
-        low.c[d] = std::numeric_limits<std::int64_t>::max();
-        high.c[d] = std::numeric_limits<std::int64_t>::min();
+        freshet::component(low, d) = std::numeric_limits<Real>::infinity();
+        freshet::component(high, d) = -std::numeric_limits<Real>::infinity();
       }
     }
-    void add(const Cell<D>& c) {
-      for (int d = 0; d < D; ++d) {
-        low.c[d] = std::min(low.c[d], c.c[d]);
-        high.c[d] = std::max(high.c[d], c.c[d]);
-      }
+    FRESHET_HD void add(Vec<D> x) {  // passes over a NaN
+      low = each(x, low, [](Real a, Real b) { return min(a, b); });
+      high = each(x, high, [](Real a, Real b) { return max(a, b); });
     }
-    void add(const Box& b) { add(b.low), add(b.high); }
   };
 
-  int n_ = 0, cell_count_ = 0;
-  std::int64_t low_[D] = {};
-  int size_[D] = {};
-  bool wraps_[D] = {};
-  Buffer<Cell<D>> unsorted_, cells_;
+  Cells<D> cells_;
+  int n_ = 0, cell_count_ = 0, buckets_ = 0;
+  int low_[D] = {}, size_[D] = {}, wrap_[D] = {};
   Buffer<Box> boxes_;
-  Buffer<int> key_, histogram_, start_, order_;
+  Buffer<int> key_, histogram_, bucket_, start_, order_;
+  Buffer<Item> items_;
+  Buffer<std::uint64_t> id_;
   Buffer<Real> x_[D];
 };
 

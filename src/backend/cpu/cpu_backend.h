@@ -5,7 +5,9 @@
 #include <tuple>
 #include <vector>
 
+#include "backend/copies.h"
 #include "backend/cpu/neighbor_lists.h"
+#include "backend/fixed_point.h"
 #include "backend/timings.h"
 #include "core/over.h"
 
@@ -18,15 +20,17 @@ template <int D> class CpuBackend {
  public:
   explicit CpuBackend(int threads) : threads_(threads) {}
 
-  void add_set(Particles<D>& set, int n) {
+  /// Gives the set its number; fields follow. The rules say which copies its particles have.
+  void add_set(Particles<D>& set, int n, typename Copies<D>::Rules rules = {}) {
     set.n = n;
     set.set = int(sets_.size());
-    sets_.push_back(std::make_unique<Set>());
+    sets_.push_back(std::make_unique<Set>(std::move(rules)));
   }
-  /// Memory for one T a particle, all zeros; the backend owns it and sorts what is kept.
+  /// Memory for one T a particle and copy, all zeros; the backend owns it and sorts what is kept.
   template <class T> void allocate(const Particles<D>& set, Keep keep, Field<T>& field) {
     auto& memory = memory_.emplace_back();
-    field.data = reinterpret_cast<T*>(memory.reserve(std::size_t(set.n + lanes) * sizeof(T)));
+    const std::size_t room = std::size_t(set.n) * std::size_t(of(set).copies.room()) + lanes;
+    field.data = reinterpret_cast<T*>(memory.reserve(room * sizeof(T)));
     threads_.blocks(set.n + lanes, [&](int b, int e) {  // the pages go to the threads that use them
       std::memset(static_cast<void*>(field.data + b), 0, std::size_t(e - b) * sizeof(T));
     });
@@ -38,24 +42,28 @@ template <int D> class CpuBackend {
   /// Sorts `moving` (and, the first time, the sets that stand still), then lists for each of its
   /// particles the neighbours in every set.
   template <class... Fixed>
-  void find_neighbors(const char* name, Real support_radius, const Particles<D>& moving,
+  void find_neighbors(const char* name, Real support_radius, Particles<D>& moving,
                       const Fixed&... fixed) {
     const auto timer = timings_.time(name, moving.n);
     sort(support_radius, moving);
+    copy(support_radius, moving);
     (sort_once(support_radius, fixed), ...);
     list(support_radius, moving, moving);
     (list(support_radius, moving, fixed), ...);
   }
-
-  template <class Term, class Finish>
-  void sum_pairs(const char* name, const Particles<D>& targets, const Over<D, Term>& over,
-                 const Finish& finish) {
-    sum_over(name, targets, finish, over);
+  /// Lists for `targets` that stand still the neighbours among `sources`, which have been sorted.
+  void list_neighbors(const char* name, Real support_radius, const Particles<D>& targets,
+                      const Particles<D>& sources) {
+    const auto timer = timings_.time(name, targets.n);
+    sort_once(support_radius, targets);
+    list(support_radius, targets, sources);
   }
-  template <class TermA, class TermB, class Finish>
-  void sum_pairs(const char* name, const Particles<D>& targets, const Over<D, TermA>& a,
-                 const Over<D, TermB>& b, const Finish& finish) {
-    sum_over(name, targets, finish, a, b);
+
+  template <class... Args>
+  void sum_pairs(const char* name, const Particles<D>& targets, const Args&... sources_finish) {
+    with_last_first([&](const auto& finish,
+                        const auto&... sources) { sum_over(name, targets, finish, sources...); },
+                    sources_finish...);
   }
 
   template <class Visit>
@@ -67,7 +75,9 @@ template <int D> class CpuBackend {
     });
   }
 
-  template <class... Fields> void share(const char*, Fields...) {}  // nothing is copied here
+  template <class... Fields> void share(const char*, const Particles<D>& p, Fields... fields) {
+    (of(p).copies.share(p, fields), ...);
+  }
 
   template <class Map> double max(const char* name, const Particles<D>& p, const Map& map) {
     const auto timer = timings_.time(name, p.n);
@@ -83,14 +93,30 @@ template <int D> class CpuBackend {
     return most;
   }
 
+  template <class Map> double sum(const char* name, const Particles<D>& p, const Map& map) {
+    const FixedPoint fixed(
+        max(name, p, [=] FRESHET_LAMBDA(int i) { return std::abs(double(map(i))); }), p.n);
+    std::int64_t* parts = whole_parts_.reserve(std::size_t(p.n / Threads::block + 1));
+    threads_.blocks(p.n, [&](int b, int e) {
+      std::int64_t part = 0;
+      for (int i = b; i < e; ++i) part += fixed.whole(double(map(i)));
+      parts[b / Threads::block] = part;
+    });
+    std::int64_t total = 0;
+    for (int b = 0; b * Threads::block < p.n; ++b) total += parts[b];
+    return fixed.value(total);
+  }
+
  private:
   struct KeptField {
     std::byte* data;
     std::size_t bytes;  // a particle
   };
   struct Set {
+    explicit Set(typename Copies<D>::Rules rules) : copies(std::move(rules)) {}
+    Copies<D> copies;
     std::vector<KeptField> kept;
-    CpuCellGrid<D> grid;
+    CpuCellGrid<D> grid, copy_grid;
     bool sorted = false;
     std::vector<std::unique_ptr<SlicedLists<D>>> lists;  // by number of the source set
   };
@@ -114,7 +140,10 @@ template <int D> class CpuBackend {
   void sort(Real h, const Particles<D>& p) {
     Set& set = of(p);
     set.grid.build(threads_, h, p);
+    set.grid.write(threads_, p);
     for (const KeptField& field : set.kept) {
+      if (field.data == static_cast<void*>(p.x.data) || field.data == static_cast<void*>(p.id.data))
+        continue;             // written by the grid
       switch (field.bytes) {  // copies of a known size are single moves
         case 4:
           permute<4>(set.grid.order(), p.n, field.data);
@@ -135,6 +164,17 @@ template <int D> class CpuBackend {
     }
     set.sorted = true;
   }
+  /// Copies stand behind the particles, sorted like them.
+  void copy(Real h, Particles<D>& p) {
+    Set& set = of(p);
+    if (set.copies.none()) return;
+    set.copies.make(p, h);
+    set.copies.place(p);
+    const Particles<D> all{set.copies.size(), 0, p.set, {p.id.data + p.n}, {p.x.data + p.n}, {}};
+    set.copy_grid.build(threads_, h, all);
+    set.copies.permute(set.copy_grid.order());
+    set.copies.place(p);
+  }
   void sort_once(Real h, const Particles<D>& p) {
     if (!of(p).sorted) sort(h, p);
   }
@@ -153,11 +193,15 @@ template <int D> class CpuBackend {
   }
 
   void list(Real h, const Particles<D>& targets, const Particles<D>& sources) {
+    if (targets.n == 0 || sources.n == 0) return;
     auto& lists = of(targets).lists;
     if (lists.size() < sets_.size()) lists.resize(sets_.size());
     auto& one = lists[std::size_t(sources.set)];
     if (!one) one = std::make_unique<SlicedLists<D>>();
-    one->build(threads_, h, of(targets).grid, of(sources).grid);
+    const Set& set = of(sources);
+    const Source<D> all[] = {{&set.grid, 0}, {&set.copy_grid, sources.n}};
+    one->build(threads_, h, of(targets).grid,
+               std::span(all, sources.copies > 0 ? std::size_t(2) : std::size_t(1)));
   }
 
   /// The sources' records, and behind them the far one: the values of the first, so that a term
@@ -165,16 +209,21 @@ template <int D> class CpuBackend {
   template <class Term> void pack(const Over<D, Term>& over, Buffer<Real>& records) {
     using Rec = Record<D, typename Term::template Neighbor<Real>>;
     const Particles<D>& sources = over.set;
-    Real* to = records.reserve(std::size_t(sources.n + lanes) * Rec::stride);
-    threads_.blocks(sources.n, [&](int b, int e) {
+    const int n = sources.n + sources.copies;
+    Real* to = records.reserve(std::size_t(n + lanes) * Rec::stride);
+    threads_.blocks(n, [&](int b, int e) {
       const Term term = over.term;
       for (int j = b; j < e; ++j)
         Rec::write(to + std::size_t(j) * Rec::stride, sources.x[j], term.neighbor(j));
     });
-    if (sources.n == 0) return;
+    if (n == 0) return;
     Vec<D> far{};
     far.x = Real(1e9f);
-    for (int j = sources.n; j < sources.n + lanes; ++j)
+    if (over.only_copies_of >= 0)
+      for (int j = 0; j < n; ++j)
+        if (j < sources.n || !of(sources).copies.due_to(j - sources.n, over.only_copies_of))
+          Rec::write(to + std::size_t(j) * Rec::stride, far, over.term.neighbor(j));
+    for (int j = n; j < n + lanes; ++j)
       Rec::write(to + std::size_t(j) * Rec::stride, far, over.term.neighbor(0));
   }
 
@@ -199,6 +248,7 @@ template <int D> class CpuBackend {
     using At = typename Term::template At<Pack>;
     using Neighbor = typename Term::template Neighbor<Pack>;
     constexpr int stride = Record<D, typename Term::template Neighbor<Real>>::stride;
+    if (over.set.n == 0) return;
     const auto slice = (*of(targets).lists[std::size_t(over.set.set)])[s];
     if (slice.length == 0) return;
     const Term term = over.term;
@@ -258,6 +308,7 @@ template <int D> class CpuBackend {
   Buffer<std::byte> spare_;
   Buffer<Real> records_[4];
   Buffer<double> parts_;
+  Buffer<std::int64_t> whole_parts_;
 };
 
 }  // namespace FRESHET_ISA

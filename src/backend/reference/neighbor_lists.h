@@ -8,8 +8,8 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// For every target the sources j with |x_ij| < h (itself among them), in one of two orders,
-/// whichever way they were found.
+/// For every target the sources j with |x_ij| < h (itself and copies among them), in one of two
+/// orders, whichever way they were found.
 template <int D> class NeighborLists {
  public:
   struct Row {
@@ -27,16 +27,18 @@ template <int D> class NeighborLists {
     target_grid_.build(h, targets.x, targets.n);
     const bool same = targets.x.data == sources.x.data;
     if (!same) source_grid_.build(h, sources.x, sources.n);
+    copy_grid_.build(h, {sources.x.data + sources.n}, sources.copies, sources.n);
     if (search == Search::grid) by_grid(h * h, same ? target_grid_ : source_grid_);
     else by_all_pairs(h * h, targets, sources);
-    if (search == Search::grid && order == NeighborOrder::id) sort_by_id(targets.n, same);
+    if (search == Search::grid && order == NeighborOrder::id)
+      sort_by_id(targets.n, same && sources.copies == 0);
     if (search == Search::all_pairs && order == NeighborOrder::cell)
       sort_by_cell(targets.n, sources);
   }
 
  private:
   void by_grid(Real h2, const CellGrid<D>& sources) {
-    target_grid_.for_each(sources, [&](const auto& i, const auto& candidates) {
+    target_grid_.for_each(sources, copy_grid_, [&](const auto& i, const auto& candidates) {
       int* out = start_row(i.index, candidates.size());
       for (const auto& j : candidates) {
         *out = j.index;  // stays only if j is near: no branch to mispredict
@@ -48,8 +50,8 @@ template <int D> class NeighborLists {
 
   void by_all_pairs(Real h2, const Particles<D>& targets, const Particles<D>& sources) {
     for (int i = 0; i < targets.n; ++i) {
-      int* out = start_row(i, std::size_t(sources.n));
-      for (int j = 0; j < sources.n; ++j)
+      int* out = start_row(i, std::size_t(sources.n + sources.copies));
+      for (int j = 0; j < sources.n + sources.copies; ++j)
         if (norm2(targets.x[i] - sources.x[j]) < h2) *out++ = j;
       end_row(i, out);
     }
@@ -69,10 +71,11 @@ template <int D> class NeighborLists {
     list_.swap(sorted_);
   }
 
-  /// Row-major order of cells, then index, as the grid visits them.
+  /// Row-major order of cells, then index, copies after all others, as the grid visits them.
   void sort_by_cell(int targets, const Particles<D>& sources) {
     for (int i = 0; i < targets; ++i)
       std::sort(list_.begin() + begin_[i], list_.begin() + end_[i], [&](int a, int b) {
+        if ((a < sources.n) != (b < sources.n)) return a < b;
         const auto ca = target_grid_.cell_of(sources.x[a]), cb = target_grid_.cell_of(sources.x[b]);
         return ca == cb ? a < b : ca < cb;
       });
@@ -88,7 +91,7 @@ template <int D> class NeighborLists {
     end_[i] = std::ptrdiff_t(size_);
   }
 
-  CellGrid<D> target_grid_, source_grid_;
+  CellGrid<D> target_grid_, source_grid_, copy_grid_;
   std::vector<int> list_, sorted_;
   std::vector<std::ptrdiff_t> begin_, end_, cursor_;
   std::size_t size_ = 0;  // of list_, which keeps room to spare

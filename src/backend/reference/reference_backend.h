@@ -5,6 +5,8 @@
 #include <map>
 #include <memory>
 
+#include "backend/copies.h"
+#include "backend/fixed_point.h"
 #include "backend/reference/neighbor_lists.h"
 #include "backend/timings.h"
 #include "core/over.h"
@@ -19,35 +21,46 @@ template <int D> class ReferenceBackend {
   explicit ReferenceBackend(Search search = Search::grid, NeighborOrder order = NeighborOrder::cell)
       : search_(search), order_(order) {}
 
-  /// Gives the set its number; particles and fields follow.
-  void add_set(Particles<D>& set, int n) {
+  /// Gives the set its number; fields follow. The rules say which copies its particles have.
+  void add_set(Particles<D>& set, int n, typename Copies<D>::Rules rules = {}) {
     set.n = n;
-    set.set = sets_++;
+    set.set = int(copies_.size());
+    copies_.emplace_back(std::move(rules));
   }
-  /// Memory for one T a particle, all zeros; the backend owns it.
+  /// Memory for one T a particle and copy, all zeros; the backend owns it.
   template <class T> void allocate(const Particles<D>& set, Keep, Field<T>& field) {
-    memory_.push_back(std::make_unique<std::byte[]>(sizeof(T) * std::size_t(set.n)));
+    const std::size_t room = std::size_t(copies_[std::size_t(set.set)].room());
+    memory_.push_back(std::make_unique<std::byte[]>(sizeof(T) * std::size_t(set.n) * room));
     field.data = reinterpret_cast<T*>(memory_.back().get());
   }
   const std::vector<VerbTiming>& timings() const { return timings_.list(); }
 
   template <class... Sets>
-  void find_neighbors(const char* name, Real support_radius, const Particles<D>& moving,
+  void find_neighbors(const char* name, Real support_radius, Particles<D>& moving,
                       const Sets&... fixed) {
     const auto timer = timings_.time(name, moving.n);
+    Copies<D>& copies = copies_[std::size_t(moving.set)];
+    copies.make(moving, support_radius);
+    copies.place(moving);
+    searched_.resize(copies_.size());
+    searched_[std::size_t(moving.set)].assign(moving.x.data,
+                                              moving.x.data + moving.n + moving.copies);
     list(support_radius, moving, moving);
-    (list(support_radius, moving, fixed), ...);
+    (list(support_radius, moving, static_cast<const Particles<D>&>(fixed)), ...);
+  }
+  void list_neighbors(const char* name, Real support_radius, const Particles<D>& targets,
+                      const Particles<D>& sources) {
+    const auto timer = timings_.time(name, targets.n);
+    Particles<D> as_found = sources;
+    as_found.x.data = searched_.at(std::size_t(sources.set)).data();
+    list(support_radius, targets, as_found);
   }
 
-  template <class Term, class Finish>
-  void sum_pairs(const char* name, const Particles<D>& targets, const Over<D, Term>& sources,
-                 const Finish& finish) {
-    sum_over(name, targets, finish, sources);
-  }
-  template <class TermA, class TermB, class Finish>
-  void sum_pairs(const char* name, const Particles<D>& targets, const Over<D, TermA>& a,
-                 const Over<D, TermB>& b, const Finish& finish) {
-    sum_over(name, targets, finish, a, b);
+  template <class... Args>
+  void sum_pairs(const char* name, const Particles<D>& targets, const Args&... sources_finish) {
+    with_last_first([&](const auto& finish,
+                        const auto&... sources) { sum_over(name, targets, finish, sources...); },
+                    sources_finish...);
   }
 
   template <class Visit>
@@ -56,7 +69,9 @@ template <int D> class ReferenceBackend {
     for (int i = 0; i < p.n; ++i) visit(i);
   }
 
-  template <class... Fields> void share(const char*, Fields...) {}  // nothing is copied here
+  template <class... Fields> void share(const char*, const Particles<D>& p, Fields... fields) {
+    (copies_[std::size_t(p.set)].share(p, fields), ...);
+  }
 
   template <class Map> double max(const char* name, const Particles<D>& p, const Map& map) {
     const auto timer = timings_.time(name, p.n);
@@ -65,8 +80,16 @@ template <int D> class ReferenceBackend {
     return most;
   }
 
+  template <class Map> double sum(const char* name, const Particles<D>& p, const Map& map) {
+    const FixedPoint fixed(max(name, p, [&](int i) { return std::abs(double(map(i))); }), p.n);
+    std::int64_t total = 0;
+    for (int i = 0; i < p.n; ++i) total += fixed.whole(map(i));
+    return fixed.value(total);
+  }
+
  private:
   void list(Real h, const Particles<D>& targets, const Particles<D>& sources) {
+    if (targets.n == 0 || sources.n == 0) return;
     lists_[{targets.set, sources.set}].build(search_, order_, h, targets, sources);
   }
 
@@ -85,16 +108,26 @@ template <int D> class ReferenceBackend {
   template <class Term, class Sum>
   void add(const Particles<D>& targets, const Over<D, Term>& sources, Sum* sums) {
     using Neighbor = typename Term::template Neighbor<Real>;
+    if (sources.set.n == 0) return;
     const auto& lists = lists_.at({targets.set, sources.set.set});
-    Neighbor* neighbor = scratch<Neighbor>(neighbor_memory_, std::size_t(sources.set.n));
-    for (int j = 0; j < sources.set.n; ++j) neighbor[j] = sources.term.neighbor(j);
+    const int n = sources.set.n + sources.set.copies;
+    Neighbor* neighbor = scratch<Neighbor>(neighbor_memory_, std::size_t(n));
+    for (int j = 0; j < n; ++j) neighbor[j] = sources.term.neighbor(j);
     for (int i = 0; i < targets.n; ++i) {
       const auto at_i = sources.term.at(i);
       Sum sum = sums[i];
-      for (const int j : lists[i])
+      for (const int j : lists[i]) {
+        if (!counts(sources, j)) continue;
         sum += sources.term(Pair<D, Real>(targets.x[i] - sources.set.x[j]), at_i, neighbor[j]);
+      }
       sums[i] = sum;
     }
+  }
+
+  template <class Term> bool counts(const Over<D, Term>& over, int j) const {
+    if (over.only_copies_of < 0) return true;
+    const int k = j - over.set.n;
+    return k >= 0 && copies_[std::size_t(over.set.set)].due_to(k, over.only_copies_of);
   }
 
   template <class T> static T* scratch(std::vector<std::byte>& memory, std::size_t n) {
@@ -104,7 +137,8 @@ template <int D> class ReferenceBackend {
 
   Search search_;
   NeighborOrder order_;
-  int sets_ = 0;
+  std::vector<Copies<D>> copies_;                          // by set
+  std::vector<std::vector<Vec<D>>> searched_;  // by set: positions when neighbours were found
   std::map<std::pair<int, int>, NeighborLists<D>> lists_;  // by targets and sources
   std::vector<std::byte> neighbor_memory_, sum_memory_;
   std::vector<std::unique_ptr<std::byte[]>> memory_;

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+/// Walls of several layers of particles, whose pressure and velocity are extrapolated from the
+/// fluid: a generalized wall boundary condition for SPH [Adami, Hu, Adams 2012].
+#pragma once
+#include "core/field.h"
+#include "pairs/becker2007_forces.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+/// What a wall particle w learns of the fluid around it.
+template <int D, class R> struct Adami2012Sums {
+  R W{}, p{}, rho_x{};  ///< sum_f W, p_f W, rho_f x_wf · g W
+  Vec<D, R> v{};        ///< sum_f v_f W
+  FRESHET_HD Adami2012Sums& operator+=(const Adami2012Sums& o) {
+    W += o.W;
+    p += o.p;
+    rho_x += o.rho_x;
+    v += o.v;
+    return *this;
+  }
+};
+
+/// p_w = (sum_f p_f W_wf + g · sum_f rho_f x_wf W_wf)/sum_f W_wf  [eq. 27, walls at rest]
+/// v_w = -sum_f v_f W_wf/sum_f W_wf                               [eqs. 22 and 23: no slip]
+template <int D, template <int> class Kernel> struct Adami2012Extrapolation {
+  Kernel<D> W;
+  Vec<D> gravity;
+  Field<Real> p, rho;
+  Field<Vec<D>> v;
+  template <class R> using At = Nothing<R>;
+  template <class R> struct Neighbor {
+    R p, rho;
+    Vec<D, R> v;
+  };
+  FRESHET_HD At<Real> at(int) const { return {}; }
+  FRESHET_HD Neighbor<Real> neighbor(int f) const { return {p[f], rho[f], v[f]}; }
+  template <class R>
+  FRESHET_HD Adami2012Sums<D, R> operator()(const Pair<D, R>& wf, At<R>,
+                                            const Neighbor<R>& f) const {
+    const R W_wf = W(wf);
+    Vec<D, R> g;
+    g.x = gravity.x;
+    g.y = gravity.y;
+    if constexpr (D == 3) g.z = gravity.z;
+    return {W_wf, f.p * W_wf, f.rho * dot(wf.x, g) * W_wf, W_wf * f.v};
+  }
+};
+template <int D, template <int> class K, class... A>
+Adami2012Extrapolation(K<D>, A...) -> Adami2012Extrapolation<D, K>;
+
+/// dv_i/dt += -sum_w m (p_i/rho_i^2 + p_w/rho0^2 + friction_w Pi_iw) grad W_iw
+///
+/// The fluid's own sum [Becker and Teschner 2007] over wall particles of the fluid's mass.
+/// friction: 1 for no slip, 0 for free slip.
+template <int D, template <int> class Kernel> struct Adami2012Forces {
+  Kernel<D> W;
+  ArtificialViscosity Pi;
+  Real m, rho0;
+  Field<Real> p, rho;
+  Field<Vec<D>> v;
+  Field<Real> p_wall, friction;
+  Field<Vec<D>> v_wall;
+  template <class R> struct At {
+    R p_rho2, rho;
+    Vec<D, R> v;
+  };
+  template <class R> struct Neighbor {
+    R p_rho2, friction;
+    Vec<D, R> v;
+  };
+  FRESHET_HD At<Real> at(int i) const { return {p[i] / square(rho[i]), rho[i], v[i]}; }
+  FRESHET_HD Neighbor<Real> neighbor(int w) const {
+    return {p_wall[w] / square(rho0), friction[w], v_wall[w]};
+  }
+  template <class R>
+  FRESHET_HD Vec<D, R> operator()(const Pair<D, R>& iw, const At<R>& i,
+                                  const Neighbor<R>& w) const {
+    const R Pi_iw = w.friction * Pi(iw, i.v - w.v, i.rho, R(rho0));
+    return (-m * (i.p_rho2 + w.p_rho2 + Pi_iw)) * W.gradient(iw);
+  }
+};
+template <int D, template <int> class K, class... A>
+Adami2012Forces(K<D>, A...) -> Adami2012Forces<D, K>;
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

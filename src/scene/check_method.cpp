@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+/// The solver, the time and the output.
+#include <algorithm>
+#include <cmath>
+
+#include "scene/findings.h"
+#include "scene/keys.h"
+
+namespace freshet {
+namespace {
+
+constexpr double most_steps = 1e9, most_frames = 100000;
+
+bool is_weightless(const Scene& s) {
+  return std::all_of(s.domain.gravity.begin(), s.domain.gravity.end(),
+                     [](double g) { return g == 0; });
+}
+
+void check_backend(const Scene& s, Findings& out) {
+  if (s.solver.backend == BackendName::reference) return;
+  if (s.solver.neighbor_order == NeighborOrder::id)
+    out.error("solver.neighbor_order",
+              "solver.neighbor_order = \"id\" is the reference's only; set "
+              "solver.backend = \"reference\", or choose \"cell\"");
+  if (s.solver.search == Search::all_pairs)
+    out.error("solver.search",
+              "solver.search = \"all_pairs\" is the reference's only; set "
+              "solver.backend = \"reference\", or choose \"grid\"");
+}
+
+/// Keys of the weakly compressible solvers only.
+void check_mueller2003_keys(Findings& out) {
+  for (const char* key : {"kernel", "sound_speed", "artificial_viscosity"})
+    out.unused(fmt::format("solver.{}", key), fmt::format("solver.{}", key),
+               "only wcsph and delta_sph read it; remove it, or choose one of them as solver.name");
+}
+
+/// Keys of mueller2003 only.
+void check_weakly_compressible_keys(const Scene& s, Findings& out) {
+  const std::string name = solver_words[int(s.solver.name)];
+  const auto unused = [&](const std::string& path, const char* key, const std::string& instead) {
+    out.unused(path, key, fmt::format("{} {}; remove it", name, instead));
+  };
+  unused("solver.stiffness", "solver.stiffness", "has solver.sound_speed instead");
+  unused("solver.scheme", "solver.scheme", "has one scheme");
+  unused("solver.speed_limit", "solver.speed_limit", "has none");
+  for (std::size_t k = 0; k < s.fluid.size(); ++k)
+    unused(fmt::format("fluid[{}].viscosity", k), "fluid.viscosity",
+           "has solver.artificial_viscosity instead");
+}
+
+/// Seconds between what is written, or steps, but not both; never less than a step.
+void check_every(const Scene& s, const char* name, std::optional<std::int64_t> steps,
+                 std::optional<double> seconds, Findings& out) {
+  const std::string key = fmt::format("output.{}", name), key_steps = key + "_steps";
+  if (steps && seconds)
+    out.error(key, fmt::format("{} and {} say the same twice; keep one", key, key_steps));
+  else if (steps && s.time.adaptive)
+    out.error(key_steps, fmt::format("{} counts steps, and how many there are is not known while "
+                                     "time.step is \"adaptive\"; give {} in seconds",
+                                     key_steps, key));
+  const double step = s.time.adaptive ? s.time.step_max.value_or(0) : s.time.step;
+  if (seconds && *seconds < step)
+    out.error(key, fmt::format("{} is {} s, shorter than a time step, {} s; make it longer", key,
+                               *seconds, step));
+}
+
+}  // namespace
+
+void check_method(const Scene& s, Findings& out) {
+  check_backend(s, out);
+  const bool mueller = s.solver.name == SolverName::mueller2003;
+  if (mueller) check_mueller2003_keys(out);
+  else check_weakly_compressible_keys(s, out);
+  if (s.solver.name != SolverName::delta_sph)
+    for (const char* key : {"density_diffusion", "delta"})
+      out.unused(fmt::format("solver.{}", key), fmt::format("solver.{}", key),
+                 "only delta_sph diffuses density; remove it, or choose solver.name = "
+                 "\"delta_sph\"");
+  else if (s.solver.density_diffusion == DensityDiffusion::none)
+    out.unused("solver.delta", "solver.delta", "solver.density_diffusion is \"none\"; remove it");
+  const bool article = mueller && s.solver.scheme == Scheme::article;
+  if (article) {
+    if (!s.particles.mass)
+      out.error("solver.scheme",
+                "solver.scheme = \"article\" needs particles.mass; the article has "
+                "0.02 (or choose \"paper\", which derives it)");
+    return;
+  }
+  out.unused("particles.mass", "particles.mass",
+             fmt::format("{} it is rest_density × spacing{}; remove it",
+                         mueller ? "with solver.scheme = \"paper\"" : "here",
+                         s.dimension() == 3 ? "³" : "²"));
+  if (mueller)
+    out.unused("solver.speed_limit", "solver.speed_limit",
+               "only solver.scheme = \"article\" has one; remove it");
+}
+
+void check_gravity(const Scene& s, Findings& out) {
+  if (!is_weightless(s)) return;
+  const bool mueller = s.solver.name == SolverName::mueller2003;
+  if (mueller && !s.solver.stiffness)
+    out.error("domain.gravity",
+              "without gravity there is no default of solver.stiffness; give solver.stiffness "
+              "(the square of ten times the fastest speed is a good start)");
+  if (!mueller && !s.solver.sound_speed)
+    out.error("domain.gravity",
+              "without gravity there is no default of solver.sound_speed; give solver.sound_speed "
+              "(ten times the fastest speed is a good start)");
+  for (std::size_t k = 0; k < s.fluid.size(); ++k)
+    if (s.fluid[k].pressure == StartPressure::hydrostatic)
+      out.error(fmt::format("fluid[{}].pressure", k),
+                "fluid.pressure = \"hydrostatic\" needs gravity; give domain.gravity, or choose "
+                "\"zero\"");
+}
+
+/// The article has one box, in 2D, and steps of its own.
+void check_scheme(const Scene& s, Findings& out) {
+  if (s.solver.name != SolverName::mueller2003 || s.solver.scheme != Scheme::article) return;
+  const char* remedy = "remove it, or choose solver.scheme = \"paper\"";
+  if (s.dimension() == 3)
+    out.error("solver.scheme",
+              "solver.scheme = \"article\" is in 2D, and domain.max has 3 numbers; choose "
+              "\"paper\"");
+  for (const char* key : {"domain.periodic", "time.integrator"})
+    out.unused(key, key,
+               fmt::format("solver.scheme is \"article\", which has its own; {}", remedy));
+  if (s.time.adaptive)
+    out.error("time.step",
+              "time.step is \"adaptive\", and solver.scheme = \"article\" has steps "
+              "of one length; give a number, or choose \"paper\"");
+  if (!s.wall.empty())
+    out.error("wall[0]", fmt::format("solver.scheme = \"article\" has the sides of the domain, and "
+                                     "no other wall; {}",
+                                     remedy));
+  for (int side = 0; side < 2 * s.dimension(); ++side)
+    if (s.side_method(side) != WallMethod::reflection) {
+      const std::string key = "walls." + s.wall_names()[std::size_t(side)];
+      out.error(out.given(key) ? key : "walls.method",
+                "solver.scheme = \"article\" has walls of \"reflection\" only; choose that, or "
+                "solver.scheme = \"paper\"");
+      break;
+    }
+}
+
+void check_time(const Scene& s, Findings& out) {
+  if (s.time.adaptive && !s.time.step_max)
+    return out.error("time.step",
+                     "time.step = \"adaptive\" needs time.step_max, the longest step (s); add it");
+  if (!s.time.adaptive)
+    out.unused("time.step_max", "time.step_max",
+               "time.step is a number; remove it, or set time.step = \"adaptive\"");
+  const char* key = s.time.adaptive ? "time.step_max" : "time.step";
+  const double step = s.time.adaptive ? *s.time.step_max : s.time.step;
+  const double steps = std::round(s.time.end / step);
+  if (!(steps >= 1))
+    out.error(key, fmt::format("{} is {} s, longer than the whole run, {} s; make it smaller", key,
+                               step, s.time.end));
+  if (steps > most_steps)
+    out.error(key, fmt::format("the run would take {:.4g} steps; at most {:.0f} are allowed; make "
+                               "{} larger or time.end smaller",
+                               steps, most_steps, key));
+}
+
+void check_output(const Scene& s, Findings& out) {
+  check_every(s, "frame_every", s.output.frame_every_steps, s.output.frame_every, out);
+  check_every(s, "observables_every", s.output.observables_every_steps, s.output.observables_every,
+              out);
+  const double steps = std::round(s.time.end / s.time.step);
+  const double every = double(s.output.frame_every_steps.value_or(0));
+  const auto too_many = [&](const char* key, double frames) {
+    out.error(key, fmt::format("the run would write {:.4g} frames; at most {:.0f} are allowed; "
+                               "make {} larger",
+                               frames, most_frames, key));
+  };
+  if (!s.time.adaptive && every > 0 && steps <= most_steps && steps / every > most_frames)
+    too_many("output.frame_every_steps", steps / every);
+  else if (s.output.frame_every && s.time.end / *s.output.frame_every > most_frames)
+    too_many("output.frame_every", s.time.end / *s.output.frame_every);
+}
+
+}  // namespace freshet

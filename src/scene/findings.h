@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+/// What the checks of a scene share.
+#pragma once
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "scene/check.h"
+#include "scene/point_cloud.h"
+
+namespace freshet {
+
+/// Where a key stands; for one that was not given, the table that it belongs to or the file.
+std::string place_of(const Scene& scene, std::string key);
+
+/// Collects what is wrong, each at the place of the key that the remedy changes.
+class Findings {
+ public:
+  explicit Findings(const Scene& scene) : scene_(scene) {}
+  void error(const std::string& key, std::string message) {
+    list.push_back({Diagnostic::Severity::error, place_of(scene_, key), std::move(message)});
+  }
+  bool given(const std::string& key) const { return scene_.places.contains(key); }
+  /// A key that was given although nothing reads it.
+  void unused(const std::string& key, const std::string& name, const std::string& remedy) {
+    if (given(key)) error(key, fmt::format("{} is not used; {}", name, remedy));
+  }
+  std::vector<Diagnostic> list;
+
+ private:
+  const Scene& scene_;
+};
+
+inline constexpr const char* axis_names = "xyz";
+
+/// A fluid or a wall, and how messages call it.
+struct RegionAt {
+  const Scene::Region& region;
+  std::string path;  ///< "fluid[0]."
+  std::string name;  ///< "fluid"
+};
+
+// One topic each. `scene` has its defaults filled in.
+void check_domain(const Scene& scene, Findings& out);
+void check_sizes(const Scene& scene, Findings& out);  ///< every vector has as many numbers
+void check_periodic(const Scene& scene, Findings& out);
+void check_resolution(const Scene& scene, Findings& out);
+void check_particles(const Scene& scene, Findings& out);
+void check_method(const Scene& scene, Findings& out);
+void check_gravity(const Scene& scene, Findings& out);
+void check_scheme(const Scene& scene, Findings& out);
+void check_time(const Scene& scene, Findings& out);
+void check_output(const Scene& scene, Findings& out);
+/// False where the shape is not one that the other checks can look at.
+bool check_region(const Scene& scene, const RegionAt& at, Findings& out);
+/// The points of a region's file; none where it cannot be read.
+std::optional<PointCloud> check_points(const Scene& scene, const RegionAt& at, Findings& out);
+void check_fluids(const Scene& scene, bool walls_are_good, Findings& out);
+/// False where a wall's shape or method is not one that samples can be taken of.
+bool check_walls(const Scene& scene, Findings& out);
+void check_sides(const Scene& scene, Findings& out);
+
+bool good_domain(const Scene& scene);
+
+}  // namespace freshet

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <vector>
+
+namespace freshet {
+
+/// Points of a file, D numbers each. SI units.
+struct PointCloud {
+  std::vector<double> x;
+  std::vector<double> v;  ///< velocities; empty where the file has none
+};
+
+/// Reads the vertices of a PLY file (ascii or binary; x, y, z and perhaps vx, vy, vz) or the lines
+/// of a CSV file whose first line names the columns. Other columns are passed over; a 2D scene
+/// takes points whose z is 0.
+/// Throws Error (kind scene), at FILE:LINE where there is a line.
+PointCloud read_points(const std::filesystem::path& file, int dimension);
+
+}  // namespace freshet

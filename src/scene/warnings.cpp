@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "freshet/derived.h"
+#include "scene/findings.h"
+#include "scene/setup.h"
+
+namespace freshet {
+namespace {
+
+class Warnings {
+ public:
+  explicit Warnings(const Scene& scene) : s_(scene), d_(derive(scene)) {}
+
+  std::vector<Diagnostic> list() {
+    lattice();
+    room();
+    periodic();
+    step();
+    return std::move(list_);
+  }
+
+ private:
+  void warn(const std::string& key, std::string message) {
+    list_.push_back({Diagnostic::Severity::warning, place_of(s_, key), std::move(message)});
+  }
+  void lattice() {
+    const char* support =
+        s_.particles.support_radius ? "particles.support_radius" : "particles.spacing";
+    const double spacings = d_.support_radius / d_.spacing;
+    if (std::abs(d_.density_error) > 0.02 && s_.particles.mass)
+      warn(support,
+           fmt::format(
+               "a support of {:.3g} spacings sums the density of a resting lattice to {:.3f} of "
+               "its value; 2 spacings or more are accurate",
+               spacings, 1 + d_.density_error));
+    if (std::abs(d_.gradient_error) > 0.15)
+      warn(support,
+           fmt::format(
+               "a support of {:.3g} spacings has {:.1f} neighbours: pressure gradients are off by "
+               "{:+.0f} %; {} spacings or more are better",
+               spacings, d_.neighbors, 100 * d_.gradient_error, spacings < 2.5 ? "2.5" : "3"));
+  }
+  void room() {
+    if (d_.outside > 0)
+      warn("fluid[0].outside",
+           fmt::format("{} of {:.0f} particles start outside the domain; the first "
+                       "step puts them onto its walls",
+                       d_.outside, d_.particles));
+    double volume = 1;
+    for (std::size_t k = 0; k < s_.domain.max.size(); ++k)
+      volume *= s_.domain.max[k] - s_.domain.min[k];
+    const double needed = d_.particles * d_.mass / d_.rest_density;
+    const char* unit = s_.dimension() == 3 ? "m³" : "m²";
+    if (needed > volume)
+      warn("particles.mass",
+           fmt::format("at rest density the fluid takes {:.4g} {}, and the domain has "
+                       "{:.4g} {}; it will be compressed",
+                       needed, unit, volume, unit));
+  }
+  void periodic() {
+    for (int k = 0; k < s_.dimension(); ++k) {
+      const auto j = std::size_t(k);
+      const double spacings = (s_.domain.max[j] - s_.domain.min[j]) / d_.spacing;
+      if (s_.periodic(k) && std::abs(spacings - std::round(spacings)) > 0.01)
+        warn("domain.periodic",
+             fmt::format("the domain is {:.4g} spacings long in {}, where it is periodic; with a "
+                         "whole number the particles' lattice goes on beyond its ends",
+                         spacings, axis_names[k]));
+    }
+  }
+  void step() {
+    if (!s_.time.adaptive && s_.time.step > d_.step_bound())
+      warn("time.step",
+           fmt::format("the time step {:.4g} s is over its bound, {:.4g} s ({}); the run may "
+                       "blow up",
+                       s_.time.step, d_.step_bound(), d_.step_bound_name()));
+  }
+
+  const Scene s_;
+  Derived d_;
+  std::vector<Diagnostic> list_;
+};
+
+}  // namespace
+
+std::vector<Diagnostic> scene_warnings(const Scene& scene) {
+  return Warnings(with_defaults(scene)).list();
+}
+
+}  // namespace freshet

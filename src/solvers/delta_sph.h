@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "pairs/antuono2010_diffusion.h"
+#include "pairs/delta_sph_rates.h"
+#include "solvers/time_step.h"
+#include "solvers/weakly_compressible.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+template <int D> struct DeltaSphFluid : Particles<D> {
+  Field<Real> rho;           ///< kept: density [kg/m^D]
+  Field<Vec<D>> a;           ///< acceleration
+  Field<Real> drho;          ///< rate of the density
+  Field<Vec<D>> v_memory;    ///< kept: velocity earlier in the step; not with symplectic Euler
+  Field<Real> rho_memory;    ///< kept: the same of the density
+  Field<Real> p, diffusion;  ///< scratch
+  Field<Vec<D>> density_gradient;  ///< scratch; Antuono's diffusion only
+
+  template <class Visit> void fields(Integrator integrator, bool antuono, Visit visit) {
+    const bool starts_with_rates = integrator != Integrator::symplectic_euler;
+    const Keep rates = starts_with_rates ? Keep::kept : Keep::scratch;
+    visit("rho", Keep::kept, rho);
+    visit("a", rates, a);
+    visit("drho", rates, drho);
+    if (starts_with_rates) {
+      visit("v_memory", Keep::kept, v_memory);
+      visit("rho_memory", Keep::kept, rho_memory);
+    }
+    visit("p", Keep::scratch, p);
+    if (antuono) {
+      visit("diffusion", Keep::scratch, diffusion);
+      visit("density_gradient", Keep::scratch, density_gradient);
+    }
+  }
+  template <class F> FRESHET_HD void evolve(int i, const F& f) const {
+    f(i, this->v, a, v_memory);
+    f(i, rho, drho, rho_memory);
+  }
+};
+
+/// Free-surface flows by SPH with numerical diffusive terms [Antuono, Colagrossi, Marrone, Molteni
+/// 2010]: density by the continuity equation with diffusion, Tait's equation.
+template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
+  using Fluid = DeltaSphFluid<D>;
+  WeaklyCompressibleParameters<D> c;
+  Kernel<D> W;
+  bool antuono;  ///< diffusion of Antuono 2010; else of Fourtakas 2019 (none: delta = 0)
+
+  template <class Visit> void fields(Fluid& f, Visit visit) const {
+    f.fields(c.integrator, antuono, visit);
+  }
+  void prepare(B& backend, Walls<D>& walls) const { prepare_walls(backend, walls, W, c); }
+
+  void step(B& backend, Fluid& fluid, Walls<D>& walls, const Tick& t) const {
+    integrate(backend, c.integrator, fluid, c.confine, t,
+              [&] { evaluate_rates(backend, fluid, walls, t); });
+  }
+
+  TimeStepBounds bounds(B& backend, const Fluid& f) const {
+    const double nu = double(c.alpha) * double(c.h) * double(c.c0) / (2 * (D + 2));
+    return time_step_bounds(backend, f, double(c.h), double(c.c0), nu);
+  }
+
+  /// The pair terms of the rates, for what else asks who pushes whom.
+  auto fluid_forces(const Fluid& f) const {
+    DeltaSphNumbers numbers = this->numbers();
+    if (antuono) numbers.delta_h_c = 0;  // it has a pass of its own
+    const Vec<D> G = c.rho0 / (c.c0 * c.c0) * c.gravity;
+    return DeltaSphRates{W, numbers, G, f.p, f.rho, f.v};
+  }
+  auto akinci2012_forces(const Fluid& f, const Walls<D>& w) const {
+    return DeltaSphAkinciRates{
+        W, numbers(), f.p, f.rho, f.v, w.akinci2012.psi, w.akinci2012.friction};
+  }
+  auto adami2012_forces(const Fluid& f, const Walls<D>& w) const {
+    return DeltaSphAdamiRates{
+        W, numbers(), f.p, f.rho, f.v, w.adami2012.p, w.adami2012.friction, w.adami2012.v};
+  }
+  auto monaghan2009_forces(const Fluid&, const Walls<D>&) const {
+    return AsRates<D, Monaghan2009Repulsion<D>>{{c.repulsion(), c.h}};
+  }
+
+  // The parts of a step: public for nvcc, which takes no lambdas from private functions.
+  DeltaSphNumbers numbers() const {
+    return {c.m, c.rho0, c.alpha * c.h * c.c0, c.delta * c.h * c.c0, c.eps_h2()};
+  }
+
+  /// Symplectic Euler moves the density with the velocity that moved the particles, before the
+  /// forces (otherwise it would be explicit Euler for sound, which no step is short enough for);
+  /// the others predict both alike, and need one pass.
+  void evaluate_rates(B& backend, Fluid& fluid, const Walls<D>& w, const Tick& t) const {
+    backend.find_neighbors("neighbors", c.support, fluid, w.akinci2012, w.adami2012,
+                           w.monaghan2009);
+    const auto f = fluid;
+    const Real rho0 = c.rho0, B_tait = c.B();
+    const bool density_first = c.integrator == Integrator::symplectic_euler;
+    backend.share("rho", f, f.rho);
+    if (antuono) diffuse(backend, f);
+    if (density_first) sum_rates(backend, f, w, "continuity", AdvanceDensity{f, t.dt, antuono});
+    backend.for_each("pressure", f,
+                     [=] FRESHET_LAMBDA(int i) { f.p[i] = tait(B_tait, f.rho[i] / rho0); });
+    backend.share("rho, p", f, f.rho, f.p);
+    extrapolate_to_walls(backend, w.adami2012, f, W, c);
+    sum_rates(backend, f, w, "rates", SetRates{f, c.gravity, antuono, density_first});
+  }
+
+  struct AdvanceDensity {
+    Fluid f;
+    Real dt;
+    bool diffuses;
+    FRESHET_HD void operator()(int i, const DeltaSphSum<D, Real>& sum) const {
+      f.rho[i] += dt * (diffuses ? sum.drho + f.diffusion[i] : sum.drho);
+    }
+  };
+  struct SetRates {
+    Fluid f;
+    Vec<D> g;
+    bool diffuses, density_is_done;
+    FRESHET_HD void operator()(int i, const DeltaSphSum<D, Real>& sum) const {
+      f.a[i] = sum.a + g;
+      f.drho[i] = density_is_done ? 0 : diffuses ? sum.drho + f.diffusion[i] : sum.drho;
+    }
+  };
+
+  template <class Finish>
+  void sum_rates(B& backend, const Fluid& f, const Walls<D>& w, const char* name,
+                 const Finish& finish) const {
+    backend.sum_pairs(name, f, over(f, fluid_forces(f)),
+                      over(w.akinci2012, akinci2012_forces(f, w)),
+                      over(w.adami2012, adami2012_forces(f, w)),
+                      over(w.monaghan2009, monaghan2009_forces(f, w)), finish);
+  }
+
+  void diffuse(B& backend, const Fluid& f) const {
+    const auto gradient = f.density_gradient;
+    const auto diffusion = f.diffusion;
+    backend.sum_pairs("density gradient", f, over(f, DensityGradient{W, c.m, f.rho}),
+                      [=] FRESHET_LAMBDA(int i, const RenormalizedSums<D, Real>& sum) {
+                        gradient[i] = sum.renormalized();
+                      });
+    backend.share("density gradient", f, gradient);
+    const DeltaSphNumbers n = numbers();
+    backend.sum_pairs("diffusion", f,
+                      over(f, Antuono2010Diffusion{W, c.m, n.delta_h_c, n.eps_h2, f.rho, gradient}),
+                      [=] FRESHET_LAMBDA(int i, Real sum) { diffusion[i] = sum; });
+  }
+};
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Once warm, a step takes no memory: every way to it is counted here, so this is a program of its
+// own.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+
+#include "sim/small_scenes.h"
+
+namespace {
+std::atomic<long> calls{0};
+}
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+
+void* malloc(std::size_t n) {
+  ++calls;
+  return __libc_malloc(n);
+}
+void* calloc(std::size_t n, std::size_t size) {
+  ++calls;
+  return __libc_calloc(n, size);
+}
+void* realloc(void* p, std::size_t n) {
+  ++calls;
+  return __libc_realloc(p, n);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t n) {
+  ++calls;
+  return __libc_memalign(alignment, n);
+}
+}
+
+namespace freshet::test {
+namespace {
+
+/// Calls in 20 steps after 60.
+long allocations(const std::string& text, int threads) {
+  Simulation sim = simulation_of(text, "cpu", {threads, ""});
+  for (int k = 0; k < 60; ++k) sim.step();
+  const long before = calls;
+  for (int k = 0; k < 20; ++k) sim.step();
+  return calls - before;
+}
+
+std::string tank(const std::string& solver, const std::string& walls, const std::string& time) {
+  return "[domain]\nmax = [1.0, 1.0]\n" + walls +
+         "[particles]\nspacing = 0.05\n[fluid]\nmin = [0, 0]\nmax = [1.0, 0.5]\n[solver]\n" +
+         solver + "sound_speed = 30.0\n[time]\nend = 1.0\n" + time;
+}
+
+TEST(Allocation, IsCounted) {
+  const long before = calls;
+  const Simulation sim = simulation_of(tank("name = \"wcsph\"\n", "", "step = 0.0005\n"));
+  EXPECT_GT(calls - before, 100);
+}
+
+TEST(Allocation, NoneInAWarmStep) {
+  for (const int threads : {1, 2}) {
+    EXPECT_EQ(0, allocations(tank("name = \"wcsph\"\n", "", "step = 0.0005\n"), threads));
+    EXPECT_EQ(0, allocations(tank("name = \"delta_sph\"\ndensity_diffusion = \"antuono2010\"\n",
+                                  "[walls]\nmethod = \"adami2012\"\n",
+                                  "step = \"adaptive\"\nstep_max = 0.01\n"),
+                             threads));
+    EXPECT_EQ(0, allocations(tank("name = \"delta_sph\"\n", "[walls]\nmethod = \"ghost\"\n",
+                                  "step = 0.0005\n"),
+                             threads));
+    EXPECT_EQ(0, allocations(tank("name = \"wcsph\"\n", "periodic = \"x\"\n", "step = 0.0005\n"),
+                             threads));
+  }
+}
+
+}  // namespace
+}  // namespace freshet::test

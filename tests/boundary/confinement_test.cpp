@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "boundary/confinement.h"
+
+#include <gtest/gtest.h>
+
+namespace freshet {
+namespace {
+
+TEST(Confinement, NotesWhatEachWallGave) {
+  Confinement<2> c{};
+  c.box = {{0, 0}, {1, 1}, 0.5f, 0b1111, false};
+  Vec<2, double> bounced[2]{};
+  c.bounced.data = bounced;
+  Vec<2> x{-0.1f, 1.2f}, v{-2, 4};
+  c(0, x, v);
+  EXPECT_FLOAT_EQ(0.05f, x.x);
+  EXPECT_FLOAT_EQ(0.9f, x.y);
+  EXPECT_EQ(3, bounced[0].x);  // the low side along x turned -2 into 1
+  EXPECT_EQ(0, bounced[0].y);
+  EXPECT_EQ(-6, bounced[1].y);  // the high side along y turned 4 into -2
+}
+
+TEST(Confinement, SidesThatAreNoWallsLetPass) {
+  Confinement<2> c{};
+  c.box = {{0, 0}, {1, 1}, 0.5f, 0b0001, false};
+  Vec<2> x{0.5f, -3}, v{0, -1};
+  c(0, x, v);
+  EXPECT_EQ(-3, x.y);
+  EXPECT_EQ(-1, v.y);
+}
+
+TEST(Confinement, PeriodicAxesWrap) {
+  Confinement<3> c{};
+  c.box = {{0, 0, 0}, {2, 2, 2}, 0.5f, 0, false};
+  c.period = {2, 0, 0};
+  Vec<3> x{2.25f, 3, -1}, v{1, 1, 1};
+  c(0, x, v);
+  EXPECT_EQ(0.25f, x.x);
+  EXPECT_EQ(3, x.y);
+  EXPECT_EQ(1, v.x);
+}
+
+TEST(Confinement, ShapesTurnBackAlongTheirNormal) {
+  Reflector<2> ball{{SolidKind::ball, {0, 0}, {}, {}, 1, 0, false}, 0.5f};
+  Confinement<2> c{};
+  c.shapes.data = &ball;
+  c.shape_count = 1;
+  Vec<2, double> bounced[3]{};
+  c.bounced.data = bounced;
+  Vec<2> x{0.8f, 0}, v{-1, 3};
+  c(0, x, v);
+  EXPECT_FLOAT_EQ(1.1f, x.x);  // the overshoot of 0.2, halved, outside
+  EXPECT_FLOAT_EQ(0.5f, v.x);
+  EXPECT_FLOAT_EQ(3, v.y);
+  EXPECT_FLOAT_EQ(1.5f, float(bounced[2].x));
+}
+
+}  // namespace
+}  // namespace freshet
