@@ -112,7 +112,7 @@ TEST_F(SUITE, VisitsNeighborsInTheReferencesOrderWhereCellsWrap) {
 }
 
 TEST_F(SUITE, VisitsNeighborsInTheReferencesOrderInACrowd) {
-  std::vector<Vec<2>> x(5000);
+  std::vector<Vec<2>> x(1500);
   std::mt19937 generator(2);
   std::uniform_real_distribution<double> at(0.01, 0.2);
   for (Vec<2>& p : x) p = {Real(at(generator)), Real(at(generator))};
