@@ -7,7 +7,7 @@ inline namespace FRESHET_ISA {
 
 /// W(r) = c ((h - r)_+^3 - 4 (h/2 - r)_+^3), (a)_+ = max(a, 0);  c = 80/(7 pi h^5) in 2D,
 /// 16/(pi h^6) in 3D
-/// [Monaghan 1992, sec. 7: M4, whose smoothing length is h/2; the two cubes are its two pieces].
+/// [Monaghan 1992: M4, whose smoothing length is h/2; the two cubes are its two pieces].
 ///
 /// grad W(x_ij) = -3c ((h - r)_+ + (h - 2r)_+) min((h - r)_+/r, 1) x_ij: the difference of the two
 /// squares, factored. Inside h/2 the minimum is 1, and the pole at the centre is gone.

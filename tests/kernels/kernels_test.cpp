@@ -1,24 +1,51 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
+#include "kernels/cubic_spline.h"
 #include "kernels/lattice_sum.h"
 #include "kernels/poly6.h"
 #include "kernels/spiky.h"
 #include "kernels/viscosity.h"
+#include "kernels/wendland.h"
+#include "pairs/density.h"
 
 namespace freshet {
 namespace {
 
-template <int D>
-Pair<D, Real> along_x(double r) {
-  Vec<D> x{};
-  x.x = Real(r);
-  return Pair<D, Real>(x);
+template <template <int> class K, int d> struct In {
+  static constexpr int D = d;
+  using Kernel = K<d>;
+  template <int n> using KernelIn = K<n>;
+};
+template <template <int> class... K> using InBoth = ::testing::Types<In<K, 2>..., In<K, 3>...>;
+
+template <class T> class DensityKernels : public ::testing::Test {};
+using AllDensityKernels = InBoth<Poly6, CubicSpline, WendlandC2, WendlandC4, WendlandC6>;
+TYPED_TEST_SUITE(DensityKernels, AllDensityKernels);
+
+template <class T> class GradientKernels : public ::testing::Test {};
+using AllGradientKernels = InBoth<Spiky, CubicSpline, WendlandC2, WendlandC4, WendlandC6>;
+TYPED_TEST_SUITE(GradientKernels, AllGradientKernels);
+
+template <class T> class LaplacianKernels : public ::testing::Test {};
+TYPED_TEST_SUITE(LaplacianKernels, InBoth<ViscosityKernel>);
+
+template <int D, class R = Real> Pair<D, R> along_x(double r) {
+  Vec<D, R> x{};
+  x.x = R(r);
+  return Pair<D, R>(x);
+}
+/// A point at distance r in no special direction.
+template <int D> Vec<D, double> aside(double r) {
+  if constexpr (D == 3) return {r * 2 / 7, r * -3 / 7, r * 6 / 7};
+  else return {r * 3 / 5, r * -4 / 5};
 }
 
 /// Integral over the ball of radius h of f(r), by the midpoint rule in r.
-template <int D, class F>
-double integral(double h, const F& f) {
+template <int D, class F> double integral(double h, const F& f) {
   constexpr int steps = 20000;
   const double dr = h / steps;
   double sum = 0;
@@ -29,43 +56,74 @@ double integral(double h, const F& f) {
   return sum;
 }
 
-template <class T>
-class Kernels : public ::testing::Test {};
-template <int d>
-struct Dimension {
-  static constexpr int D = d;
-};
-using Dimensions = ::testing::Types<Dimension<2>, Dimension<3>>;
-TYPED_TEST_SUITE(Kernels, Dimensions);
-
-TYPED_TEST(Kernels, IntegrateToOneForEverySupport) {
-  constexpr int D = TypeParam::D;
+template <int D, class Kernel> void expect_integral_one() {
   for (const double h : {0.01, 0.2, 3.0}) {
-    const Poly6<D> poly6{Real(h)};
-    const Spiky<D> spiky{Real(h)};
-    EXPECT_NEAR(1, integral<D>(h, [&](double r) { return poly6(along_x<D>(r)); }), 1e-5);
-    EXPECT_NEAR(1, integral<D>(h, [&](double r) { return spiky(along_x<D>(r)); }), 1e-5);
+    const Kernel W{Real(h)};
+    EXPECT_NEAR(1, integral<D>(h, [&](double r) { return W(along_x<D>(r)); }), 1e-5) << h;
+  }
+}
+TYPED_TEST(DensityKernels, IntegrateToOneForEverySupport) {
+  expect_integral_one<TypeParam::D, typename TypeParam::Kernel>();
+}
+TYPED_TEST(GradientKernels, IntegrateToOneForEverySupport) {
+  expect_integral_one<TypeParam::D, typename TypeParam::Kernel>();
+}
+
+TYPED_TEST(DensityKernels, EndAtTheSupport) {
+  constexpr int D = TypeParam::D;
+  for (const double h : {0.013, 0.2, 3.0}) {
+    const typename TypeParam::Kernel W{Real(h)};
+    EXPECT_GT(W(along_x<D>(0.9 * h)), 0);
+    EXPECT_EQ(0, W(along_x<D>(h)));
+    EXPECT_EQ(0, W(along_x<D>(1.001 * h)));
+    EXPECT_EQ(0, W(along_x<D>(1e9)));  // where the far particle is that pads lists
   }
 }
 
-TYPED_TEST(Kernels, SpikysGradientIsItsSlope) {
+TYPED_TEST(GradientKernels, AreTheSlope) {
   constexpr int D = TypeParam::D;
-  const double h = 0.2;
-  const Spiky<D> W{Real(h)};
+  const double h = 0.2, step = 2e-5 * h;
+  const typename TypeParam::Kernel W{Real(h)};
   const double scale = std::abs(W.gradient(along_x<D>(h / 2)).x);
-  for (const double r : {0.02, 0.05, 0.1, 0.15, 0.19}) {
-    const double d = 1e-3, slope = (W(along_x<D>(r + d)) - W(along_x<D>(r - d))) / (2 * d);
-    EXPECT_NEAR(slope, W.gradient(along_x<D>(r)).x, 1e-3 * scale) << r;
+  for (double r = 0.02 * h; r < 1.1 * h; r += 0.0173 * h) {
+    auto gradient = W.gradient(Pair<D, double>(aside<D>(r)));
+    for (int k = 0; k < D; ++k) {
+      Vec<D, double> ahead = aside<D>(r), behind = ahead;
+      component(ahead, k) += step;
+      component(behind, k) -= step;
+      const double slope = (W(Pair<D, double>(ahead)) - W(Pair<D, double>(behind))) / (2 * step);
+      EXPECT_NEAR(slope, component(gradient, k), 1e-5 * scale) << r / h;
+    }
   }
-  EXPECT_EQ(0, W.gradient(along_x<D>(0)).x);
-  EXPECT_EQ(0, W.gradient(along_x<D>(h)).x);
+}
+
+TYPED_TEST(GradientKernels, HaveNoneAtTheCentreAndBeyondTheSupport) {
+  constexpr int D = TypeParam::D;
+  for (const double h : {0.013, 0.2, 3.0}) {
+    const typename TypeParam::Kernel W{Real(h)};
+    for (const double r : {0.0, h, 1.001 * h, -1.001 * h, 1e9, -1e9}) {
+      auto gradient = W.gradient(along_x<D>(r));
+      for (int k = 0; k < D; ++k) EXPECT_EQ(0, component(gradient, k)) << r;
+    }
+    EXPECT_LT(W.gradient(along_x<D>(0.9 * h)).x, 0);
+  }
+}
+
+TYPED_TEST(GradientKernels, AreOppositeForTheOtherOfAPair) {
+  constexpr int D = TypeParam::D;
+  const typename TypeParam::Kernel W{Real(0.2f)};
+  for (double r = 1e-5; r < 0.22; r += 0.0037) {
+    const auto x = aside<D>(r);
+    auto there = W.gradient(Pair<D, double>(x)), back = W.gradient(Pair<D, double>(-1.0 * x));
+    for (int k = 0; k < D; ++k) EXPECT_EQ(component(there, k), -component(back, k)) << r;
+  }
 }
 
 // By Green's formula the integral of r^2 lap W is 2 D times that of W, which must be 1.
-TYPED_TEST(Kernels, TheViscosityLaplacianIsThatOfAKernel) {
+TYPED_TEST(LaplacianKernels, AreThatOfAKernel) {
   constexpr int D = TypeParam::D;
   for (const double h : {0.01, 0.2, 3.0}) {
-    const ViscosityKernel<D> W{Real(h)};
+    const typename TypeParam::Kernel W{Real(h)};
     const auto f = [&](double r) { return r * r * W.laplacian(along_x<D>(r)); };
     EXPECT_NEAR(2 * D, integral<D>(h, f), 1e-4);
     EXPECT_GE(W.laplacian(along_x<D>(h * 0.999)), 0);
@@ -73,12 +131,87 @@ TYPED_TEST(Kernels, TheViscosityLaplacianIsThatOfAKernel) {
   }
 }
 
-TYPED_TEST(Kernels, LatticeSumsTendToOne) {
+TYPED_TEST(DensityKernels, LatticeSumsTendToOne) {
   constexpr int D = TypeParam::D;
   for (const double ratio : {4.0, 8.0, 16.0}) {
-    const double sum = lattice_sum<D>(Poly6<D>(Real(ratio)), 1.0, ratio);
+    const double sum = lattice_sum<D>(typename TypeParam::Kernel(Real(ratio)), 1.0, ratio);
     EXPECT_NEAR(1, sum, 0.5 / (ratio * ratio)) << ratio;  // the error is at most of second order
   }
+}
+
+// Summed over a block's particles as a solver does, and not over lattice_sum's own offsets.
+TYPED_TEST(DensityKernels, GiveARestingLatticeItsRestDensity) {
+  constexpr int D = TypeParam::D;
+  const double rho0 = 1000, spacing = 0.05;
+  for (double ratio = 2; ratio <= 4; ratio += 0.25) {
+    const typename TypeParam::Kernel W{Real(ratio * spacing)};
+    const int deep = int(std::ceil(ratio)), side = 2 * deep + 3;
+    std::vector<Vec<D>> block;
+    std::vector<bool> inside;
+    for (int k = 0; k < (D == 3 ? side * side * side : side * side); ++k) {
+      Vec<D> x;
+      bool in = true;
+      for (int d = 0, part = k; d < D; ++d, part /= side) {
+        component(x, d) = Real(0.7 + spacing * (part % side));
+        in = in && part % side >= deep && part % side < side - deep;
+      }
+      block.push_back(x);
+      inside.push_back(in);
+    }
+    const Real m = Real(rho0 * std::pow(spacing, D) / lattice_sum<D>(W, spacing, ratio * spacing));
+    const Density<D, TypeParam::template KernelIn> term{W, m};
+    double mean = 0;
+    int count = 0;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      if (!inside[i]) continue;
+      Real rho = 0;
+      for (const Vec<D>& x_j : block) rho += term(Pair<D, Real>(block[i] - x_j), {}, {});
+      mean += double(rho);
+      ++count;
+    }
+    EXPECT_EQ(D == 2 ? 9 : 27, count);
+    EXPECT_NEAR(1, mean / count / rho0, 1e-3) << ratio;
+  }
+}
+
+/// The sum over the lattice of -x . grad W / D, what a discrete gradient makes of a linear field's
+/// slope 1.
+template <int D, class Kernel> double gradient_sum(const Kernel& W, double ratio) {
+  const auto slope = [&](const Pair<D, Real>& ij) { return -dot(ij.x, W.gradient(ij)) / D; };
+  return lattice_sum<D>(slope, 1.0, ratio);
+}
+
+template <template <int> class Kernel> void expect_sums(double ratio, double in_2d, double in_3d) {
+  EXPECT_NEAR(in_2d, lattice_sum<2>(Kernel<2>(Real(ratio)), 1.0, ratio), 1e-3);
+  EXPECT_NEAR(in_3d, lattice_sum<3>(Kernel<3>(Real(ratio)), 1.0, ratio), 1e-3);
+}
+template <template <int> class Kernel>
+void expect_gradient_sums(double ratio, double in_2d, double in_3d) {
+  EXPECT_NEAR(in_2d, gradient_sum<2>(Kernel<2>(Real(ratio)), ratio), 1e-3);
+  EXPECT_NEAR(in_3d, gradient_sum<3>(Kernel<3>(Real(ratio)), ratio), 1e-3);
+}
+
+// What docs say of the kernels: at a support of two spacings the cubic spline is the choice, the
+// smoother ones want three.
+TEST(LatticeErrors, AreThoseOnRecord) {
+  expect_sums<Poly6>(2, 1.015, 1.010);
+  expect_sums<CubicSpline>(2, 1.001, 1.000);
+  expect_sums<WendlandC2>(2, 1.038, 1.034);
+  expect_sums<WendlandC4>(2, 1.046, 1.067);
+  expect_sums<WendlandC6>(2, 1.104, 1.169);
+  expect_sums<Poly6>(3, 1.002, 1.002);
+  expect_sums<CubicSpline>(3, 1.003, 1.002);
+  expect_sums<WendlandC2>(3, 1.005, 1.003);
+  expect_sums<WendlandC4>(3, 1.003, 1.003);
+  expect_sums<WendlandC6>(3, 1.003, 1.003);
+  expect_gradient_sums<CubicSpline>(2, 1.013, 1.020);
+  expect_gradient_sums<WendlandC2>(2, 0.976, 0.982);
+  expect_gradient_sums<WendlandC4>(2, 0.862, 0.858);
+  expect_gradient_sums<WendlandC6>(2, 0.698, 0.717);
+  expect_gradient_sums<CubicSpline>(3, 1.007, 1.010);
+  expect_gradient_sums<WendlandC2>(3, 0.997, 1.001);
+  expect_gradient_sums<WendlandC4>(3, 0.991, 0.993);
+  expect_gradient_sums<WendlandC6>(3, 0.991, 0.994);
 }
 
 }  // namespace
