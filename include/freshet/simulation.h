@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "freshet/frame.h"
 #include "freshet/real.h"
 #include "freshet/report.h"
 #include "freshet/scene.h"
@@ -17,8 +18,9 @@ namespace freshet {
 struct ParticleView {
   int dimension = 2;
   std::span<const std::uint64_t> id;
-  std::span<const Real> x, v;     ///< position [m], velocity [m/s]
-  std::span<const Real> density;  ///< [kg/m^D], as computed in the last step
+  std::span<const Real> x, v;      ///< position [m], velocity [m/s]
+  std::span<const Real> density;   ///< [kg/m^D], as computed in the last step; at the start at rest
+  std::span<const Real> pressure;  ///< the same of the pressure [Pa; N/m in 2D]
   std::size_t size() const { return id.size(); }
 };
 
@@ -58,6 +60,8 @@ class Simulation {
   /// reflecting walls the mean since the last call, others the present one.
   std::vector<Vector> wall_forces();
   ParticleView fluid() const;
+  /// A copy of the fluid for pictures and files.
+  Frame frame() const;
   Statistics statistics() const;
   const std::vector<VerbTiming>& timings() const;
 

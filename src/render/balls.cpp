@@ -109,7 +109,7 @@ class Canvas {
 
 }  // namespace
 
-Image draw_balls(const Scene& scene, const ParticleView& fluid) {
+Image draw_balls(const Scene& scene, const Frame& fluid) {
   Image image(int(scene.picture.width), int(scene.picture.height), background);
   const View view = fit(scene);
   draw_edges(image, scene, view);

@@ -63,7 +63,7 @@ Color speed_color(float t) {
   return {std::uint8_t(r * 255), std::uint8_t(g * 255), std::uint8_t(b * 255)};
 }
 
-Image draw_dots(const Scene& scene, const ParticleView& fluid) {
+Image draw_dots(const Scene& scene, const Frame& fluid) {
   Image image(int(scene.picture.width), int(scene.picture.height), background);
   const int radius = int(scene.picture.dot_radius);
   const std::vector<float> weights = dot_weights(radius);
@@ -86,7 +86,7 @@ Image draw_dots(const Scene& scene, const ParticleView& fluid) {
   return image;
 }
 
-Image draw(const Scene& scene, const ParticleView& fluid) {
+Image draw(const Scene& scene, const Frame& fluid) {
   return fluid.dimension == 2 ? draw_dots(scene, fluid) : draw_balls(scene, fluid);
 }
 

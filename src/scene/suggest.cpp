@@ -30,8 +30,11 @@ std::string nearest(std::string_view typed, const std::set<std::string, std::les
   std::string best;
   if (typed.size() > 100) return best;
   std::size_t least = std::max<std::size_t>(1, typed.size() / 3) + 1;
-  for (const std::string& word : words)
+  for (const std::string& word : words) {
+    const auto [shorter, longer] = std::minmax(typed.size(), word.size());
+    if (longer - shorter >= least) continue;  // so far apart at least
     if (const std::size_t d = distance(typed, word); d < least) least = d, best = word;
+  }
   return best;
 }
 

@@ -15,11 +15,19 @@ namespace freshet {
 /// A solver on a backend, as the simulation sees it: no template, no instruction set, no threads.
 class Engine {
  public:
-  /// A kept field, `bytes_per_particle` each, in the order of the particles.
-  struct KeptField {
-    std::string name;
-    const std::byte* data;
-    std::size_t bytes_per_particle;
+  /// An array of what a restart needs.
+  struct StateArray {
+    enum class Number { int32, uint64, float32, float64 };
+    std::string name;  ///< "SET/FIELD"
+    std::byte* data;
+    std::int64_t count;  ///< particles of the set
+    int components;      ///< numbers a particle
+    Number number;
+    enum class Role { kept, other, fixed } role;  ///< the fluid's kept fields; walls are fixed
+    std::size_t bytes_per_particle() const {
+      return std::size_t(components) *
+             (number == Number::int32 || number == Number::float32 ? 4 : 8);
+    }
   };
   virtual ~Engine() = default;
   virtual void step(double dt) = 0;
@@ -30,7 +38,10 @@ class Engine {
   /// reflecting walls the mean over `interval` [s], the time since the last call; others now.
   virtual std::vector<Vector> wall_forces(double interval) = 0;
   virtual const std::vector<VerbTiming>& timings() const = 0;
-  virtual std::vector<KeptField> kept() const = 0;
+  /// All that the next steps follow from, besides the scene. What is written there is restored,
+  /// once continue_from has told how many steps were taken.
+  virtual std::vector<StateArray> state() = 0;
+  virtual void continue_from(std::int64_t steps) = 0;
 };
 
 /// What an engine is made from.

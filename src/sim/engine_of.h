@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <cstring>
+#include <type_traits>
 
 #include "sim/enclosure.h"
 #include "sim/engine.h"
@@ -20,9 +21,9 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
                      copy_rules<D>(input.scene, copy_walls_));
     confine();
     fill_fluid(input.sample);
-    fill_wall(walls_.akinci2012, input.sample.akinci2012, input.scene);
-    fill_wall(walls_.adami2012, input.sample.adami2012, input.scene);
-    fill_wall(walls_.monaghan2009, input.sample.monaghan2009, input.scene);
+    fill_wall("akinci2012", walls_.akinci2012, input.sample.akinci2012, input.scene);
+    fill_wall("adami2012", walls_.adami2012, input.sample.adami2012, input.scene);
+    fill_wall("monaghan2009", walls_.monaghan2009, input.sample.monaghan2009, input.scene);
     wall_count_ = int(input.scene.wall_names().size());
     if (!copy_walls_.empty()) backend_.allocate(fluid_, Keep::scratch, copy_force_);
     solver_.prepare(backend_, walls_);
@@ -40,10 +41,12 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
             {fluid_.id.data, n},
             {reinterpret_cast<const Real*>(fluid_.x.data), n * D},
             {reinterpret_cast<const Real*>(fluid_.v.data), n * D},
-            {fluid_.rho.data, n}};
+            {fluid_.rho.data, n},
+            {fluid_.p.data, n}};
   }
   const std::vector<VerbTiming>& timings() const override { return backend_.timings(); }
-  std::vector<KeptField> kept() const override { return kept_; }
+  std::vector<StateArray> state() override { return state_; }
+  void continue_from(std::int64_t steps) override { steps_ = steps; }
 
   std::vector<Vector> wall_forces(double interval) override {
     WallForces<D> forces(std::size_t(wall_count_), double(solver_.c.m));
@@ -62,11 +65,26 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
 
  private:
   template <class T>
-  void allocate(Particles<D>& set, const char* name, Keep keep, Field<T>& field) {
+  void allocate(Particles<D>& set, const char* set_name, const char* name, Keep keep,
+                Field<T>& field) {
     backend_.allocate(set, keep, field);
-    if (keep == Keep::kept && set.set == fluid_.set)
-      kept_.push_back({name, reinterpret_cast<const std::byte*>(field.data), sizeof(T)});
+    if (keep == Keep::kept)
+      remember(std::string(set_name) + "/" + name, field.data, set.n,
+               set.set == fluid_.set ? StateArray::Role::kept : StateArray::Role::fixed);
   }
+  template <class T>
+  void remember(std::string name, T* data, std::int64_t count, StateArray::Role role) {
+    using Number = StateArray::Number;
+    using Scalar = decltype(scalar_of(T{}));
+    constexpr Number number = std::is_same_v<Scalar, float>    ? Number::float32
+                              : std::is_same_v<Scalar, double> ? Number::float64
+                              : sizeof(Scalar) == 4            ? Number::int32
+                                                               : Number::uint64;
+    state_.push_back({std::move(name), reinterpret_cast<std::byte*>(data), count,
+                      int(sizeof(T) / sizeof(Scalar)), number, role});
+  }
+  template <class T> static T scalar_of(T);
+  template <class R> static R scalar_of(Vec<D, R>);
 
   /// The memory of what keeps particles in place.
   void confine() {
@@ -75,14 +93,16 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
     c.shape_count = int(reflectors_.size());
     bounced_.resize(std::size_t(c.walls()) * std::size_t(fluid_.n));
     c.bounced.data = bounced_.empty() ? nullptr : bounced_.data();
+    remember("fluid/bounced", bounced_.data(), std::int64_t(bounced_.size()),
+             StateArray::Role::other);
   }
 
   void fill_fluid(const Sample& sample) {
-    allocate(fluid_, "id", Keep::kept, fluid_.id);
-    allocate(fluid_, "x", Keep::kept, fluid_.x);
-    allocate(fluid_, "v", Keep::kept, fluid_.v);
+    allocate(fluid_, "fluid", "id", Keep::kept, fluid_.id);
+    allocate(fluid_, "fluid", "x", Keep::kept, fluid_.x);
+    allocate(fluid_, "fluid", "v", Keep::kept, fluid_.v);
     solver_.fields(fluid_, [this](const char* name, Keep keep, auto& f) {
-      this->allocate(fluid_, name, keep, f);
+      this->allocate(fluid_, "fluid", name, keep, f);
     });
     for (int i = 0; i < fluid_.n; ++i) {
       fluid_.id[i] = std::uint64_t(i);
@@ -92,12 +112,14 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
     std::memcpy(static_cast<void*>(fluid_.v.data), sample.v.data(), sample.v.size() * sizeof(Real));
   }
 
-  template <class Wall> void fill_wall(Wall& wall, const WallSample& sample, const Scene& scene) {
+  template <class Wall>
+  void fill_wall(const char* name, Wall& wall, const WallSample& sample, const Scene& scene) {
     backend_.add_set(wall, int(sample.wall.size()));
-    backend_.allocate(wall, Keep::kept, wall.id);
-    backend_.allocate(wall, Keep::kept, wall.x);
-    backend_.allocate(wall, Keep::scratch, wall.v);
-    wall.fields([&](const char*, Keep keep, auto& f) { backend_.allocate(wall, keep, f); });
+    allocate(wall, name, "id", Keep::kept, wall.id);
+    allocate(wall, name, "x", Keep::kept, wall.x);
+    allocate(wall, name, "v", Keep::scratch, wall.v);
+    wall.fields(
+        [&](const char* field, Keep keep, auto& f) { this->allocate(wall, name, field, keep, f); });
     for (int k = 0; k < wall.n; ++k) {
       const int number = sample.wall[std::size_t(k)];
       wall.id[k] = std::uint64_t(k);
@@ -119,7 +141,7 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
   std::vector<int> reflector_walls_, copy_walls_;  // places of their names
   Field<Vec<D>> copy_force_;
   int wall_count_ = 0;
-  std::vector<KeptField> kept_;
+  std::vector<StateArray> state_;
   std::int64_t steps_ = 0;
 };
 

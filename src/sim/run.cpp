@@ -134,7 +134,7 @@ class Observer {
   void fail() { folder_.finish("failed"); }
 
  private:
-  Image draw() const { return freshet::draw(sim_.scene(), sim_.fluid()); }
+  Image draw() const { return freshet::draw(sim_.scene(), sim_.frame()); }
 
   Simulation& sim_;
   Schedule schedule_;

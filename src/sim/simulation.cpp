@@ -18,8 +18,14 @@ namespace {
 
 constexpr std::int64_t steps_between_looks = 100;
 
+/// The places of the particles in the order of their ids, which mostly are 0 to n - 1.
 std::vector<std::size_t> order_by_id(const ParticleView& fluid) {
-  std::vector<std::size_t> order(fluid.size());
+  const std::size_t n = fluid.size();
+  std::vector<std::size_t> order(n);
+  if (std::all_of(fluid.id.begin(), fluid.id.end(), [=](std::uint64_t id) { return id < n; })) {
+    for (std::size_t i = 0; i < n; ++i) order[fluid.id[i]] = i;
+    return order;
+  }
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return fluid.id[a] < fluid.id[b]; });
@@ -129,6 +135,29 @@ void Simulation::Impl::fail(std::uint64_t id, const Real* x) const {
                           time, cause));
 }
 
+Frame Simulation::frame() const {
+  const ParticleView f = fluid();
+  const auto D = std::size_t(f.dimension), n = f.size();
+  Frame out{f.dimension, impl_->steps, impl_->time, {}, {}, {}, {}, {}};
+  out.id.resize(n);
+  out.x.resize(D * n);
+  out.v.resize(D * n);
+  out.density.resize(n);
+  out.pressure.resize(n);
+  const auto order = order_by_id(f);
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t i = order[k];
+    out.id[k] = f.id[i];
+    for (std::size_t d = 0; d < D; ++d) {
+      out.x[D * k + d] = float(f.x[D * i + d]);
+      out.v[D * k + d] = float(f.v[D * i + d]);
+    }
+    out.density[k] = float(f.density[i]);
+    out.pressure[k] = float(f.pressure[i]);
+  }
+  return out;
+}
+
 Statistics Simulation::statistics() const {
   const ParticleView f = fluid();
   const Scene& s = scene();
@@ -181,13 +210,15 @@ std::string Simulation::state_sha256() const {
 }
 
 std::string Simulation::kept_sha256() const {
-  auto fields = impl_->engine->kept();
+  auto fields = impl_->engine->state();
   std::sort(fields.begin(), fields.end(), [](auto& a, auto& b) { return a.name < b.name; });
   const auto order = order_by_id(fluid());
   Sha256 sha;
-  for (const auto& field : fields)
-    for (const std::size_t i : order)
-      sha.add(field.data + i * field.bytes_per_particle, field.bytes_per_particle);
+  for (const auto& field : fields) {
+    const std::size_t bytes = field.bytes_per_particle();
+    if (field.role != Engine::StateArray::Role::kept) continue;
+    for (const std::size_t i : order) sha.add(field.data + i * bytes, bytes);
+  }
   return sha.hex();
 }
 

@@ -78,7 +78,7 @@ TEST_F(ArticleScene, StacksAThirdOfItsParticlesOnTheWalls) {
 }
 
 TEST_F(ArticleScene, BottomThirdCountsPixelsNotParticles) {
-  const ParticleView fluid = finished().fluid();
+  const Frame fluid = finished().frame();
   const Image image = draw_dots(finished().scene(), fluid);
   int pixels = 0;
   for (int y = 400; y < 600; ++y)
@@ -93,7 +93,7 @@ TEST_F(ArticleScene, BottomThirdCountsPixelsNotParticles) {
   EXPECT_EQ(598, particles);
 
   // Without a single particle the frame's lines alone are counted.
-  const Image empty = draw_dots(finished().scene(), ParticleView{});
+  const Image empty = draw_dots(finished().scene(), Frame{});
   EXPECT_EQ(1198, picture_statistics(empty).bottom_third);
 }
 

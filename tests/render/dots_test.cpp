@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <limits>
 
 #include "render/png.h"
 
@@ -20,20 +20,20 @@ TEST(SpeedColor, GoesFromBlueOverYellowToRed) {
 
 class OneDot : public ::testing::Test {
  protected:
-  Image draw(Real px, Real py) {
+  Image draw(float px, float py) {
     scene.domain.min = {0, 0};
     scene.domain.max = {4, 3};
-    x = {px, py};
-    return draw_dots(scene, {2, id, x, v, density});
+    Frame frame;
+    frame.id = {0};
+    frame.x = {px, py};
+    frame.v = {0, 0};
+    return draw_dots(scene, frame);
   }
   Scene scene;
-  std::array<std::uint64_t, 1> id{};
-  std::array<Real, 2> x{}, v{};
-  std::array<Real, 1> density{};
 };
 
 TEST_F(OneDot, LiesWhereItsParticleDoesWithYTurnedOver) {
-  Image image = draw(2, Real(0.3f));
+  Image image = draw(2, 0.3f);
   EXPECT_EQ((Color{8, 10, 255}), image.at(400, 536));  // 8 + 0, 10 + 0, 28 + 255 saturated
   EXPECT_EQ((Color{8, 10, 28}), image.at(400, 530));
   EXPECT_EQ((Color{80, 80, 120}), image.at(4, 100));
@@ -42,8 +42,8 @@ TEST_F(OneDot, LiesWhereItsParticleDoesWithYTurnedOver) {
 
 TEST_F(OneDot, MayLieOutsideOrNowhere) {
   const Image empty = draw(100, 100);
-  EXPECT_EQ(empty.pixels, draw(Real(-3e30f), 1).pixels);
-  EXPECT_EQ(empty.pixels, draw(std::numeric_limits<Real>::quiet_NaN(), 1).pixels);
+  EXPECT_EQ(empty.pixels, draw(-3e30f, 1).pixels);
+  EXPECT_EQ(empty.pixels, draw(std::numeric_limits<float>::quiet_NaN(), 1).pixels);
 }
 
 TEST(Png, GivesBackWhatItWasGiven) {

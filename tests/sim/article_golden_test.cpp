@@ -2,6 +2,7 @@
 // The article's pictures and figures, to the bit, whichever way neighbours are found.
 #include <gtest/gtest.h>
 
+#include "freshet/simulation.h"
 #include "io/sha256.h"
 #include "render/dots.h"
 
@@ -11,7 +12,7 @@ namespace {
 #ifndef FRESHET_DOUBLE
 
 std::string picture_sha256(const Simulation& sim) {
-  const Image image = draw_dots(sim.scene(), sim.fluid());
+  const Image image = draw_dots(sim.scene(), sim.frame());
   Sha256 sha;
   sha.add(image.pixels.data(), 3 * image.pixels.size());
   return sha.hex();
@@ -45,7 +46,7 @@ TEST_P(ArticleGolden, FramesAndFigures) {
   EXPECT_NEAR(0.303263, s.speed_mean, 5e-7);
   EXPECT_NEAR(1.311986, s.speed_max, 5e-7);
   EXPECT_NEAR(0.281334, s.height_mean, 5e-7);
-  const PictureStatistics p = picture_statistics(draw_dots(sim.scene(), sim.fluid()));
+  const PictureStatistics p = picture_statistics(draw_dots(sim.scene(), sim.frame()));
   EXPECT_EQ(30844, p.bright);
   EXPECT_EQ(41727, p.bottom_third);
 }
