@@ -12,25 +12,38 @@ namespace freshet::cli {
 
 enum ExitCode { done = 0, failed = 1, usage = 2, interrupted = 130 };
 
-/// The scene of a command with what is changed in it.
-struct SceneArguments {
-  std::string name;
+/// KEY=VALUE, each as an override.
+std::vector<Override> overrides_of(const std::vector<std::string>& set);
+
+/// What a command changes in a scene, and what it computes with.
+struct ChangeArguments {
   std::vector<std::string> set;  // KEY=VALUE
-  std::string backend, isa;
+  std::string isa;
   int threads = 0;
+
+  void add_to(CLI::App& command);
+  std::vector<Override> overrides() const { return overrides_of(set); }
+  Execution execution() const { return {threads, isa}; }
+};
+
+/// The scene of a command with what is changed in it.
+struct SceneArguments : ChangeArguments {
+  std::string name, backend;
 
   void add_to(CLI::App& command);
   Scene load() const;
   std::vector<Override> overrides() const;
-  Execution execution() const { return {threads, isa}; }
 };
 
 /// Each adds its subcommand to the program; the callback's exit code goes to `code`.
 void add_run(CLI::App& app, int& code, const std::vector<std::string>& command_line);
+void add_resume(CLI::App& app, int& code, const std::vector<std::string>& command_line);
+void add_render(CLI::App& app, int& code);
 void add_check(CLI::App& app, int& code);
 void add_info(CLI::App& app, int& code);
 void add_scenes(CLI::App& app, int& code);
 void add_bench(CLI::App& app, int& code);
+void add_plot(CLI::App& app, int& code);
 void add_schema(CLI::App& app, int& code);
 void add_completion(CLI::App& app, int& code);
 

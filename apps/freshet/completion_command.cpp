@@ -29,7 +29,9 @@ std::string bash(const CLI::App& app) {
   fi
   case "${{COMP_WORDS[1]}}" in
 {}  esac
-  if [ "$COMP_CWORD" -eq 2 ]; then words="$words $(freshet scenes --names 2>/dev/null)"; fi
+  if [ "$COMP_CWORD" -eq 2 ] && [ "${{COMP_WORDS[1]}}" != plot ]; then
+    words="$words $(freshet scenes --names 2>/dev/null)"
+  fi
   COMPREPLY=($(compgen -W "$words" -- "$current") $(compgen -f -- "$current"))
 }}
 complete -F _freshet freshet

@@ -66,6 +66,17 @@ std::string time_step_row(const Scene& s, const Derived& d) {
                      bound(d.force_step), bound(d.viscous_step));
 }
 
+/// Pictures are at most as large as their pixels.
+std::string disk_row(const Scene& s, const Derived& d) {
+  const double pictures = 3.0 * double(s.picture.width * s.picture.height) * double(d.frames + 1);
+  std::string text =
+      fmt::format("at most {}B for {} frames and the result", short_number(pictures), d.frames);
+  if (d.data_frames > 0)
+    text +=
+        fmt::format("; about {}B for the data of {}", short_number(d.data_bytes), d.data_frames);
+  return text;
+}
+
 void info(const SceneArguments& a) {
   const Scene s = a.load();
   const Derived d = derive(s);
@@ -101,9 +112,7 @@ void info(const SceneArguments& a) {
   row("run time", fmt::format("about {:.2g} s on this machine ({:.3g} ms a step, measured)",
                               per_step * double(s.steps()), 1e3 * per_step));
   row("memory", fmt::format("{}B", short_number(peak_memory())));
-  const double picture = 3.0 * double(s.picture.width * s.picture.height);
-  row("disk", fmt::format("at most {}B for {} frames and the result",
-                          short_number(picture * double(d.frames + 1)), d.frames));
+  row("disk", disk_row(s, d));
   print_diagnostics(scene_warnings(s));
 }
 

@@ -39,10 +39,13 @@ int run_program(int argc, char** argv) {
       "Examples:\n  freshet run article\n  freshet run my_scene.toml --set time.end=1\n"
       "  freshet scenes");
   add_run(app, code, {argv, argv + argc});
+  add_resume(app, code, {argv, argv + argc});
+  add_render(app, code);
   add_check(app, code);
   add_info(app, code);
   add_scenes(app, code);
   add_bench(app, code);
+  add_plot(app, code);
   add_schema(app, code);
   add_completion(app, code);
   if (argc > 1) refuse_unknown_command(app, argv[1]);
@@ -57,7 +60,9 @@ int run_program(int argc, char** argv) {
 /// What a command printed must have reached a disk that may be full; a reader that went away is
 /// fine. (A run's words are not its result.)
 int check_output(const std::string& command, int code) {
-  if (code != done || command == "run" || std::fflush(stdout) == 0 || errno == EPIPE) return code;
+  if (code != done || command == "run" || command == "resume" || std::fflush(stdout) == 0 ||
+      errno == EPIPE)
+    return code;
   fmt::print(stderr, "error: cannot write to standard output: {}\n", std::strerror(errno));
   return failed;
 }

@@ -61,6 +61,21 @@ std::string table(const Report& r) {
   return out;
 }
 
+/// A warning when it is first seen: a line for people, or an event.
+void tell(const Warning& w, Progress& progress) {
+  progress.event(nlohmann::ordered_json{
+      {"event", "warning"},
+      {"kind", w.kind},
+      {"step", w.first_step},
+      {"time", w.first_time},
+      {"message",
+       w.message}}.dump());
+  if (progress.style() == Progress::Style::json || progress.style() == Progress::Style::quiet)
+    return;
+  progress.end();
+  print_diagnostics({{Diagnostic::Severity::warning, "", w.message}});
+}
+
 int finish(const Report& r, const std::filesystem::path& output, const Progress& progress) {
   const bool cut = r.state == Report::State::interrupted;
   progress.say(fmt::format(
@@ -78,8 +93,39 @@ int finish(const Report& r, const std::filesystem::path& output, const Progress&
     if (!c.passed && !cut)
       fmt::print(stderr, "error: check failed: {} is {:g}, and must be {} {:g}\n", c.name, c.value,
                  c.relation, c.bound);
-  return cut ? interrupted : r.state == Report::State::check_failed ? failed : done;
+  for (const Warning& w : r.warnings)
+    if (r.state == Report::State::cannot_be_right && w.cannot_be_right)
+      fmt::print(stderr, "error: the run cannot be right: {} (seen in {} looks, last at step {})\n",
+                 w.message, w.looks, w.last_step);
+  return cut ? interrupted : r.state == Report::State::done ? done : failed;
 }
+
+/// What run and resume have in common.
+struct Outcome {
+  Progress progress;
+  bool started = false;
+  std::size_t told = 0;  // warnings
+
+  AfterStep after_step() {
+    return [this](const Simulation& sim, double seconds) {
+      if (!std::exchange(started, true)) progress.start(sim);
+      progress.update(sim, seconds);
+      while (told < sim.warnings().size()) tell(sim.warnings()[told++], progress);
+      return !stop_asked;
+    };
+  }
+  template <class Run> int of(Run run, const std::filesystem::path& output) {
+    catch_interrupts();
+    try {
+      const Report report = run();
+      progress.end();
+      return finish(report, output, progress);
+    } catch (const Error&) {
+      progress.end();
+      throw;
+    }
+  }
+};
 
 int run_scene(const RunArguments& a, const std::vector<std::string>& command_line) {
   const Scene scene = a.scene.load();
@@ -91,23 +137,34 @@ int run_scene(const RunArguments& a, const std::vector<std::string>& command_lin
   options.execution = a.scene.execution();
   options.command = command_line;
   if (!a.video.empty()) options.video = VideoOptions{a.video, a.fps};
-  Progress progress(Progress::choose(a.quiet, a.log == "json"));
-  bool started = false;
-  options.after_step = [&](const Simulation& sim, double seconds) {
-    if (!std::exchange(started, true)) progress.start(sim);
-    progress.update(sim, seconds);
-    return !stop_asked;
-  };
+  Outcome outcome{Progress(Progress::choose(a.quiet, a.log == "json"))};
+  options.after_step = outcome.after_step();
   if (!a.quiet) print_diagnostics(scene_warnings(scene));
-  catch_interrupts();
-  try {
-    const Report report = run(scene, options);
-    progress.end();
-    return finish(report, options.output, progress);
-  } catch (const Error&) {
-    progress.end();
-    throw;
-  }
+  return outcome.of([&] { return run(scene, options); }, options.output);
+}
+
+struct ResumeArguments {
+  ChangeArguments changes;
+  std::string folder, log = "text";
+  bool quiet = false;
+};
+
+int resume_run(const ResumeArguments& a, const std::vector<std::string>& command_line) {
+  ResumeOptions options;
+  options.folder = a.folder;
+  options.overrides = a.changes.overrides();
+  options.execution = a.changes.execution();
+  options.command = command_line;
+  options.warn = print_diagnostics;
+  Outcome outcome{Progress(Progress::choose(a.quiet, a.log == "json"))};
+  options.after_step = outcome.after_step();
+  return outcome.of([&] { return resume(options); }, options.folder);
+}
+
+void add_words(CLI::App& command, bool& quiet, std::string& log) {
+  command.add_flag("--quiet", quiet, "say nothing but errors");
+  command.add_option("--log", log, "text, or json: a JSON object a line")
+      ->check(CLI::IsMember({"text", "json"}));
 }
 
 }  // namespace
@@ -118,14 +175,23 @@ void add_run(CLI::App& app, int& code, const std::vector<std::string>& command_l
   a->scene.add_to(*run);
   run->add_option("--output", a->output, "the folder (default: runs/SCENE)");
   run->add_flag("--overwrite", a->overwrite, "replace the run that the folder holds");
-  run->add_flag("--quiet", a->quiet, "say nothing but errors");
-  run->add_option("--log", a->log, "text, or json: a JSON object a line")
-      ->check(CLI::IsMember({"text", "json"}));
+  add_words(*run, a->quiet, a->log);
   run->add_option("--video", a->video, "make a film, FILE.mp4 or FILE.gif (needs ffmpeg)");
   run->add_option("--fps", a->fps, "the film's pictures per simulated second (default: 30)")
       ->check(CLI::Range(0.001, 1e6));
   run->footer("Example:\n  freshet run article --output runs/article --video water.mp4");
   run->callback([a, &code, command_line] { code = run_scene(*a, command_line); });
+}
+
+void add_resume(CLI::App& app, int& code, const std::vector<std::string>& command_line) {
+  const auto a = std::make_shared<ResumeArguments>();
+  CLI::App* resume =
+      app.add_subcommand("resume", "Go on with a run that was stopped, or prolong one");
+  resume->add_option("DIR", a->folder, "the folder of the run")->required();
+  a->changes.add_to(*resume);
+  add_words(*resume, a->quiet, a->log);
+  resume->footer("Example:\n  freshet resume runs/article --set time.end=4");
+  resume->callback([a, &code, command_line] { code = resume_run(*a, command_line); });
 }
 
 }  // namespace freshet::cli

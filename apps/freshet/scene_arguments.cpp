@@ -22,21 +22,17 @@ std::vector<fs::path> scene_folders() {
 
 }  // namespace
 
-void SceneArguments::add_to(CLI::App& command) {
-  command.add_option("SCENE", name, "a scene file, or the name of one that comes along")
-      ->required();
+void ChangeArguments::add_to(CLI::App& command) {
   command.add_option("--set", set, "KEY=VALUE: change a key of the scene (TOML, else a string)")
       ->take_all()
       ->allow_extra_args(false);
-  command.add_option("--backend", backend, "what computes")
-      ->check(CLI::IsMember({"cpu", "reference"}));
   command.add_option("--threads", threads, "threads of the cpu backend (default: all)")
       ->check(CLI::Range(1, 4096));
   command.add_option("--isa", isa, "instruction set of the cpu backend (default: the best)")
       ->check(CLI::IsMember({"plain", "sse42", "avx2", "avx512"}));
 }
 
-std::vector<Override> SceneArguments::overrides() const {
+std::vector<Override> overrides_of(const std::vector<std::string>& set) {
   std::vector<Override> all;
   for (const std::string& pair : set) {
     const auto equals = pair.find('=');
@@ -44,6 +40,19 @@ std::vector<Override> SceneArguments::overrides() const {
       throw Error(Error::Kind::scene, "--set " + pair, "write KEY=VALUE, for example time.end=1");
     all.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
   }
+  return all;
+}
+
+void SceneArguments::add_to(CLI::App& command) {
+  command.add_option("SCENE", name, "a scene file, or the name of one that comes along")
+      ->required();
+  command.add_option("--backend", backend, "what computes")
+      ->check(CLI::IsMember({"cpu", "reference"}));
+  ChangeArguments::add_to(command);
+}
+
+std::vector<Override> SceneArguments::overrides() const {
+  auto all = ChangeArguments::overrides();
   if (!backend.empty()) all.emplace_back("solver.backend", fmt::format("\"{}\"", backend));
   return all;
 }

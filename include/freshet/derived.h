@@ -11,6 +11,8 @@ struct Derived {
   std::int64_t left_out;        ///< places of a fluid's lattice that a wall takes
   std::int64_t wall_particles;  ///< samples of all walls
   std::int64_t frames;          ///< pictures that a run writes, the result not counted
+  std::int64_t data_frames;     ///< moments that a run writes data files of
+  double data_bytes;            ///< of all its data files, about
   double support_radius, spacing;
   double rest_density, viscosity;
   double mass;            ///< rest_density · spacing^D, or as given (scheme article)

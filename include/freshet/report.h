@@ -22,7 +22,9 @@ struct Statistics {
   std::int64_t particles = 0;
   std::int64_t out_of_bounds = 0;  ///< further than a support radius outside the domain, or NaN
   double density_mean = 0, density_min = 0, density_max = 0;
+  double density_error_mean = 0, density_error_max = 0;  ///< max(0, rho/rho0 - 1), a fraction
   double speed_mean = 0, speed_max = 0;
+  std::uint64_t fastest = 0;                        ///< id; the least where several are as fast
   double height_mean = 0;                           ///< mean of y
   double kinetic_energy = 0, potential_energy = 0;  ///< [J]; potential zero at the origin
   std::vector<double> momentum;                     ///< [kg m/s], one number a dimension
@@ -32,6 +34,7 @@ struct Statistics {
 struct TimeSteps {
   double last = 0, min = 0, max = 0;
   std::map<std::string, std::int64_t> ruled;  ///< "sound", "force", "viscosity", "step_max"
+  std::string last_ruled;                     ///< what ruled the last step; "fixed" if it was given
 };
 
 /// What the result's picture holds.
@@ -49,9 +52,23 @@ struct CheckResult {
   bool passed = false;
 };
 
+/// Something doubtful that was seen while a run went on: told once, counted from then on. What is
+/// watched, with which bounds, stands in docs/when_it_goes_wrong.md.
+struct Warning {
+  std::string kind;     ///< "time step", "outside", "in a wall", "density", "speed", ...
+  std::string message;  ///< as first seen: what, which particle, where, when, the cause, a remedy
+  std::int64_t first_step = 0, last_step = 0, worst_step = 0;
+  double first_time = 0;         ///< [s]
+  std::int64_t looks = 0;        ///< how many looks at the particles saw it
+  double worst = 0;              ///< in the unit of `bound`
+  double bound = 0;              ///< what is not doubtful yet: a share, or a multiple
+  bool cannot_be_right = false;  ///< so bad, or for so long, that the run's result is no result
+};
+
 /// How a run ended, and all that report.json holds.
 struct Report {
-  enum class State { done, interrupted, check_failed };
+  /// cannot_be_right: it came to its end, but a warning says that its result is none.
+  enum class State { done, interrupted, check_failed, cannot_be_right };
   State state = State::done;
   std::string scene, title, backend, solver;
   std::int64_t steps = 0;
@@ -62,6 +79,7 @@ struct Report {
   Statistics statistics;
   PictureStatistics picture;
   std::vector<CheckResult> checks;
+  std::vector<Warning> warnings;
   std::vector<VerbTiming> verbs;
   std::string state_sha256, kept_sha256;
 

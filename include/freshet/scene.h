@@ -29,7 +29,24 @@ enum class WallMethod { open, reflection, monaghan2009, ghost, akinci2012, adami
 enum class Slip { free_slip, no_slip };
 enum class BackendName { cpu, reference };
 enum class Search { grid, all_pairs };
+enum class Dots { glow, solid };
+enum class ColorBy {
+  speed,
+  velocity_x,
+  velocity_y,
+  velocity_z,
+  density,
+  density_error,
+  pressure,
+  height,
+  id
+};
+enum class ColorMap { article, water, viridis, inferno, coolwarm };
 enum class NeighborOrder { cell, id };
+enum class WhenWrong { stop, warn };
+enum class DataFormat { vtp, ply, csv, hdf5 };
+enum class DataField { velocity, density, pressure, id };
+enum class Precision { float32, float16 };
 
 /// Everything that a simulation needs, in SI units. docs/scene.md has every key with its unit,
 /// default and range; the members carry the same names. A scene can be filled in code or loaded.
@@ -57,7 +74,7 @@ struct Scene {
     Vector axis;               // cylinder: along its length; any length
     double length = 0;         // cylinder
     Vector point, normal;      // plane: inside is where the normal does not point
-    std::string file;          // points: *.ply or *.csv, relative to the scene
+    std::string file;          // points: *.ply, *.vtp or *.csv, relative to the scene
   };
   struct Fluid : Region {
     Vector velocity;  // at rest if empty
@@ -103,13 +120,38 @@ struct Scene {
   struct Output {
     std::optional<std::int64_t> frame_every_steps, observables_every_steps;
     std::optional<double> frame_every, observables_every;  // [s]
+    std::optional<std::int64_t> checkpoint_every_steps;
+    std::optional<double> checkpoint_every;         // [s]
+    std::vector<DataFormat> data{DataFormat::vtp};  // no data files if empty
+    std::vector<DataField> fields{DataField::velocity, DataField::density, DataField::pressure,
+                                  DataField::id};  // besides the position
+    Precision precision = Precision::float32;
+    std::optional<std::int64_t> data_every_steps;  // as the frames if neither is given
+    std::optional<double> data_every;              // [s]
   };
   struct Picture {
-    std::int64_t width = 800, height = 600, dot_radius = 5;
+    std::int64_t width = 800, height = 600;  // [px]
+    std::optional<std::int64_t> dot_radius;  // [px]; 2D
+    Dots dots = Dots::glow;                  // 2D
+    Vector window;                           // x_min, y_min, x_max, y_max; 2D
+    ColorBy color_by = ColorBy::speed;
+    std::optional<ColorMap> color_map;  // article in 2D, water in 3D
+    Vector color_range;                 // least and greatest; of each picture if empty
+    std::string background = "night";   // a word, or "#rrggbb"
+    bool time_stamp = false, scale_bar = false, color_bar = false;
+  };
+  /// Where a picture in 3D is seen from; several are key frames.
+  struct Camera {
+    double time = 0;            // of a key frame
+    Vector position;            // in front, to the right and above, if empty
+    Vector target;              // the middle of the domain if empty
+    double field_of_view = 35;  // [degrees] from the bottom of the picture to its top
+    double orbit = 0;           // [degrees/s] about the vertical through the target
   };
   struct Checks {
     std::optional<std::int64_t> out_of_bounds_max;
     std::optional<double> density_mean_min, speed_mean_max, height_mean_max, bright_fraction_min;
+    WhenWrong when_wrong = WhenWrong::stop;
   };
 
   std::string title, description;
@@ -122,6 +164,7 @@ struct Scene {
   Time time;
   Output output;
   Picture picture;
+  std::vector<Camera> camera;
   Checks checks;
 
   /// The TOML text that this scene was loaded from, overrides included; empty for one made in code.

@@ -34,6 +34,9 @@ struct Execution {
 std::string instruction_set(const std::string& isa);
 int thread_count(int threads);
 
+/// See freshet/checkpoint.h.
+struct Checkpoint;
+
 /// A simulation in memory: no file is touched, nothing is printed.
 class Simulation {
  public:
@@ -43,9 +46,10 @@ class Simulation {
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
-  /// One time step. Throws Error (kind run) when a particle is lost (no number any more, or ten
-  /// domain diagonals outside), which is looked for every hundredth step and after the last; the
-  /// message names the particle and the likeliest cause.
+  /// One time step. Throws Error (kind run) when the state cannot be right any more, which is
+  /// looked at after step 1, every tenth step up to 100, every hundredth from then on, and after
+  /// the last; the message names the particle, its place, the moment and the likeliest cause.
+  /// docs/when_it_goes_wrong.md has the bounds. What was thrown at can still be read.
   void step();
 
   const Scene& scene() const;
@@ -54,6 +58,8 @@ class Simulation {
   /// Whether time.end is reached.
   bool finished() const;
   const TimeSteps& time_steps() const;
+  /// What was doubtful so far, in the order in which it was first seen.
+  const std::vector<Warning>& warnings() const;
   /// What bounds the next step, by the present state [s].
   TimeStepBounds bounds();
   /// The force of the fluid on each wall, in the order of Scene::wall_names() [N; N/m in 2D]:
@@ -64,6 +70,12 @@ class Simulation {
   Frame frame() const;
   Statistics statistics() const;
   const std::vector<VerbTiming>& timings() const;
+
+  /// A copy of all that the next steps follow from. Throws as step does if a particle is lost.
+  Checkpoint checkpoint() const;
+  /// Goes on from there, to the same bits as the run that it was taken from. Throws Error (kind
+  /// scene) if it was taken from another scene; the simulation is then as it was.
+  void restore(const Checkpoint& checkpoint);
 
   /// SHA-256 over steps_done (u64), then id (u64), x and v of each particle in id order,
   /// little-endian: equal states have equal sums.

@@ -53,8 +53,7 @@ template <int D> class Copies {
             copies_.push_back({i, copies_[k].rules | bit(r)});
       }
     }
-    if (copies_.size() > most)
-      throw std::length_error("more copies than a corner has");
+    if (copies_.size() > most) throw std::length_error("more copies than a corner has");
   }
   /// Sorts the copies: order[k] is the place of the k-th.
   void permute(const int* order) {

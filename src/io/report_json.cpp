@@ -17,6 +17,8 @@ const char* word(Report::State state) {
       return "interrupted";
     case Report::State::check_failed:
       return "check failed";
+    case Report::State::cannot_be_right:
+      return "cannot be right";
   }
   return "";
 }
@@ -25,7 +27,8 @@ Json json(const Statistics& s) {
   return {{"particles", s.particles},
           {"out_of_bounds", s.out_of_bounds},
           {"density", {{"mean", s.density_mean}, {"min", s.density_min}, {"max", s.density_max}}},
-          {"speed", {{"mean", s.speed_mean}, {"max", s.speed_max}}},
+          {"density_error", {{"mean", s.density_error_mean}, {"max", s.density_error_max}}},
+          {"speed", {{"mean", s.speed_mean}, {"max", s.speed_max}, {"fastest", s.fastest}}},
           {"height_mean", s.height_mean},
           {"kinetic_energy", s.kinetic_energy},
           {"potential_energy", s.potential_energy},
@@ -33,21 +36,35 @@ Json json(const Statistics& s) {
 }
 
 Json json(const TimeSteps& t) {
-  Json all{{"last", t.last}, {"min", t.min}, {"max", t.max}};
+  Json all{{"last", t.last}, {"last_ruled", t.last_ruled}, {"min", t.min}, {"max", t.max}};
   if (!t.ruled.empty()) all["ruled"] = t.ruled;
   return all;
+}
+
+Json json(const Warning& w) {
+  return {{"kind", w.kind},
+          {"cannot_be_right", w.cannot_be_right},
+          {"message", w.message},
+          {"first_step", w.first_step},
+          {"first_time", w.first_time},
+          {"last_step", w.last_step},
+          {"looks", w.looks},
+          {"bound", w.bound},
+          {"worst", w.worst},
+          {"worst_step", w.worst_step}};
 }
 
 }  // namespace
 
 std::string to_json(const Report& r) {
-  Json checks = Json::array(), verbs = Json::array();
+  Json checks = Json::array(), warnings = Json::array(), verbs = Json::array();
   for (const CheckResult& c : r.checks)
     checks.push_back({{"name", c.name},
                       {"value", c.value},
                       {"relation", c.relation},
                       {"bound", c.bound},
                       {"passed", c.passed}});
+  for (const Warning& w : r.warnings) warnings.push_back(json(w));
   for (const VerbTiming& v : r.verbs)
     verbs.push_back({{"name", v.name},
                      {"calls", v.calls},
@@ -75,6 +92,7 @@ std::string to_json(const Report& r) {
                    {"bright_fraction", r.picture.bright_fraction()},
                    {"bottom_third", r.picture.bottom_third}}},
                  {"checks", checks},
+                 {"warnings", warnings},
                  {"verbs", verbs},
                  {"state_sha256", r.state_sha256},
                  {"kept_sha256", r.kept_sha256}};

@@ -7,8 +7,8 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "commit.h"
 #include "freshet/error.h"
@@ -24,92 +24,138 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* manifest_name = "manifest.json";
 
-/// The files that the manifest of an earlier run names; only plain paths below the folder count.
-std::set<std::string> files_of(const fs::path& manifest) {
+/// What the manifest of an earlier run says; of its files only plain paths below the folder count.
+struct Manifest {
+  std::string state;
   std::set<std::string> files;
+};
+
+Manifest read_manifest(const fs::path& manifest) {
+  Manifest m;
   const Json json = Json::parse(std::ifstream(manifest), nullptr, false);
   const auto refuse = [&] {
     throw Error(Error::Kind::scene, manifest.string(),
                 "not a manifest of Freshet; remove the folder by hand or choose another --output");
   };
   if (!json.is_object() || !json.contains("files") || !json["files"].is_array()) refuse();
+  if (json.contains("state") && json["state"].is_string()) m.state = json["state"];
   for (const Json& file : json["files"]) {
     const Json entry = file.is_object() ? file.value("file", Json("")) : file;
     if (!entry.is_string()) refuse();
     const std::string name = entry;
     const fs::path path = fs::path(name).lexically_normal();
-    if (!name.empty() && path.is_relative() && *path.begin() != "..") files.insert(name);
+    if (!name.empty() && path.is_relative() && *path.begin() != "..") m.files.insert(name);
   }
-  return files;
+  return m;
+}
+
+fs::path made(const fs::path& folder) {
+  std::error_code ec;
+  fs::create_directories(folder, ec);
+  if (ec) fail_file(folder, "make this folder", ec.value());
+  return folder;
+}
+
+std::string digest_of(std::string_view bytes) {
+  Sha256 sha;
+  sha.add(bytes.data(), bytes.size());
+  return sha.hex();
+}
+
+std::string read_whole(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace
 
-RunFolder::RunFolder(fs::path folder, bool overwrite, std::vector<std::string> planned,
-                     Provenance provenance)
-    : folder_(std::move(folder)), planned_(std::move(planned)), provenance_(std::move(provenance)) {
-  std::error_code ec;
-  fs::create_directories(folder_, ec);
-  if (ec) fail_file(folder_, "make this folder", ec.value());
-  lock();
-  try {
-    clear(overwrite);
-    for (const std::string& file : planned_) {
-      fs::create_directories((folder_ / file).parent_path(), ec);
-      if (ec) fail_file((folder_ / file).parent_path(), "make this folder", ec.value());
-    }
-    write_manifest("running", planned_);
-  } catch (...) {
-    ::close(lock_);
-    throw;
-  }
-}
-
-RunFolder::~RunFolder() { ::close(lock_); }
-
-void RunFolder::lock() {
-  lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (lock_ < 0) fail_file(folder_, "open this folder", errno);
-  if (::flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
-  ::close(lock_);
+FolderLock::FolderLock(fs::path folder) : folder_(std::move(folder)) {
+  fd_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (fd_ < 0) fail_file(folder_, "open this folder", errno);
+  if (::flock(fd_, LOCK_EX | LOCK_NB) == 0) return;
+  ::close(fd_);
   throw Error(Error::Kind::scene, folder_.string(),
               "another run is writing into this folder; wait for it or choose another --output");
 }
 
-void RunFolder::clear(bool overwrite) {
-  const fs::path manifest = folder_ / manifest_name;
-  std::set<std::string> old;
+FolderLock::~FolderLock() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+RunFolder::RunFolder(const fs::path& folder, Take take, std::vector<std::string> planned,
+                     Provenance provenance)
+    : RunFolder(FolderLock(made(folder)), take, std::move(planned), std::move(provenance)) {}
+
+RunFolder::RunFolder(FolderLock lock, Take take, std::vector<std::string> planned,
+                     Provenance provenance)
+    : lock_(std::move(lock)),
+      planned_(planned.begin(), planned.end()),
+      provenance_(std::move(provenance)) {
+  clear(take);
+  make_places(planned);
+  write_manifest("running", planned_);
+}
+
+void RunFolder::make_places(const std::vector<std::string>& files) const {
+  for (const std::string& file : files) made((path() / file).parent_path());
+}
+
+/// Removes what an earlier run has left; one that goes on loses its half-written files only.
+void RunFolder::clear(Take take) {
+  const fs::path manifest = path() / manifest_name;
+  Manifest old;
   if (fs::exists(manifest)) {
-    if (!overwrite)
-      throw Error(Error::Kind::scene, folder_.string(),
+    if (take == Take::empty)
+      throw Error(Error::Kind::scene, path().string(),
                   "this folder holds a run; --overwrite replaces it (only the files that its "
-                  "manifest.json names), or choose another --output");
-    old = files_of(manifest);
+                  "manifest.json names), `freshet resume` goes on with it; or choose another "
+                  "--output");
+    old = read_manifest(manifest);
   }
   for (const std::string& file : planned_)
-    if (fs::exists(folder_ / file) && !old.contains(file))
-      throw Error(Error::Kind::scene, (folder_ / file).string(),
+    if (fs::exists(path() / file) && !old.files.contains(file))
+      throw Error(Error::Kind::scene, (path() / file).string(),
                   "this file was not written by a run, and the run would replace it; move it or "
                   "choose another --output");
   std::error_code ignored;  // a file of the manifest that is gone is fine
-  for (const std::string& file : old) fs::remove(folder_ / file, ignored);
+  for (const std::string& file : old.files) {
+    fs::remove(path() / (file + ".part"), ignored);
+    if (take == Take::resume) planned_.insert(file);
+    else fs::remove(path() / file, ignored);
+  }
+  earlier_state_ = old.state;
 }
 
 void RunFolder::write(const std::string& file, std::string_view bytes) {
-  write_file(folder_ / file, bytes);
-  Sha256 sha;
-  sha.add(bytes.data(), bytes.size());
-  written_[file] = {bytes.size(), sha.hex()};
+  write_file(path() / file, bytes);
+  written_[file] = {bytes.size(), digest_of(bytes)};
+}
+
+void RunFolder::write_more(const std::string& file, std::string_view bytes) {
+  make_places({file});
+  if (planned_.insert(file).second) write_manifest("running", planned_);
+  write(file, bytes);
+}
+
+void RunFolder::remove(const std::string& file) {
+  std::error_code ignored;
+  fs::remove(path() / file, ignored);
+  written_.erase(file);
 }
 
 void RunFolder::finish(std::string_view state) {
-  std::vector<std::string> files;
-  for (const auto& [file, written] : written_) files.push_back(file);
-  write_manifest(state, files);
+  std::set<std::string> there;
+  for (const std::string& file : planned_) {
+    if (!fs::is_regular_file(path() / file)) continue;
+    there.insert(file);
+    if (written_.contains(file)) continue;  // else before this run went on
+    const std::string bytes = read_whole(path() / file);
+    written_[file] = {bytes.size(), digest_of(bytes)};
+  }
+  write_manifest(state, there);
 }
 
-void RunFolder::write_manifest(std::string_view state,
-                               const std::vector<std::string>& files) const {
+void RunFolder::write_manifest(std::string_view state, const std::set<std::string>& files) const {
   Json list = Json::array();
   for (const std::string& file : files) {
     Json entry{{"file", file}};
@@ -128,7 +174,7 @@ void RunFolder::write_manifest(std::string_view state,
                       {"command", provenance_.command},
                       {"state", state},
                       {"files", list}};
-  write_file(folder_ / manifest_name,
+  write_file(path() / manifest_name,
              manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 

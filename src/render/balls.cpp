@@ -2,134 +2,171 @@
 #include "render/balls.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
+#include <atomic>
+#include <future>
 
-#include "render/dots.h"
+#include "render/stage.h"
+#include "scene/point_cloud.h"
 
 namespace freshet {
 namespace {
 
-using Point = std::array<double, 3>;
+constexpr int band_rows = 8;           // pixels; a band stays in a cache
+constexpr float least_radius = 0.75f;  // samples: a ball far away is still seen
+constexpr Color point_color{150, 148, 144};
+constexpr float gloss = 0.22f;
+constexpr double girth =
+    1.15;  // spacings that a ball is wide: it closes the gaps to its neighbours
 
-constexpr Color background{8, 10, 28}, edge{80, 80, 120};
-constexpr double margin = 0.04;             // of the picture
-constexpr float dimmest_full_speed = 0.1f;  // m/s that at least stand for red
+/// The balls that the picture shows, in the order of their particles.
+struct Balls {
+  std::vector<Ball> all;
+  std::vector<Color> colors;
 
-/// Turned about y, then tipped towards the eye: x to the right, y up, z towards the eye.
-struct View {
-  static constexpr double turn = -0.5, tip = 0.42;  // radians
-  double scale, left, top;
-
-  static Point turned(const Point& p) {
-    const double x = p[0] * std::cos(turn) + p[2] * std::sin(turn);
-    const double z = p[2] * std::cos(turn) - p[0] * std::sin(turn);
-    return {x, p[1] * std::cos(tip) - z * std::sin(tip), z * std::cos(tip) + p[1] * std::sin(tip)};
-  }
-  /// In pixels, and the depth in pixels too.
-  Point operator()(const Point& p) const {
-    const Point t = turned(p);
-    return {left + scale * t[0], top - scale * t[1], scale * t[2]};
+  void add(const View& view, Point p, float size, Color color, double width, double height) {
+    const auto s = view(p);
+    if (!(s.z > view.nearest)) return;  // behind the eye, or nowhere
+    const float radius = std::max(least_radius, float(view.focal * double(size) / s.z));
+    const bool inside = s.x > -double(radius) && s.x < width + double(radius) &&
+                        s.y > -double(radius) && s.y < height + double(radius);
+    if (!inside) return;
+    all.push_back({float(s.x), float(s.y), radius, float(s.z), size});
+    colors.push_back(color);
   }
 };
 
-std::array<Point, 8> corners(const Scene& s) {
-  std::array<Point, 8> all;
-  for (std::size_t k = 0; k < 8; ++k)
-    for (std::size_t d = 0; d < 3; ++d) all[k][d] = k >> d & 1 ? s.domain.max[d] : s.domain.min[d];
-  return all;
-}
-
-View fit(const Scene& s) {
-  Point low{1e300, 1e300, 0}, high{-1e300, -1e300, 0};
-  for (const Point& corner : corners(s)) {
-    const Point t = View::turned(corner);
-    for (std::size_t d = 0; d < 2; ++d) {
-      low[d] = std::min(low[d], t[d]);
-      high[d] = std::max(high[d], t[d]);
-    }
+/// The balls of the fluid, then those of walls that are points.
+Balls balls_of(const Scene& s, const Frame& fluid, const Coloring& colors, const View& view) {
+  Balls balls;
+  balls.all.reserve(fluid.size());
+  balls.colors.reserve(fluid.size());
+  const double width = 2 * view.middle_x, height = 2 * view.middle_y;
+  const float size = float(girth * s.particles.spacing / 2);
+  for (std::size_t i = 0; i < fluid.size(); ++i) {
+    const float* x = &fluid.x[3 * i];
+    balls.add(view, {double(x[0]), double(x[1]), double(x[2])}, size, colors(i), width, height);
   }
-  const double width = double(s.picture.width), height = double(s.picture.height);
-  const double scale =
-      (1 - 2 * margin) * std::min(width / (high[0] - low[0]), height / (high[1] - low[1]));
-  return {scale, width / 2 - scale * (low[0] + high[0]) / 2,
-          height / 2 + scale * (low[1] + high[1]) / 2};
+  for (const Scene::Wall& w : s.wall) {
+    if (w.shape != Shape::points) continue;
+    const PointCloud cloud = read_points(w.file, 3);
+    for (std::size_t k = 0; k < cloud.x.size(); k += 3)
+      balls.add(view, {cloud.x[k], cloud.x[k + 1], cloud.x[k + 2]}, size, point_color, width,
+                height);
+  }
+  return balls;
 }
 
-/// The edges of the domain, those in front drawn dotted over what is behind them.
-void draw_edges(Image& image, const Scene& s, const View& view) {
-  const auto all = corners(s);
-  for (unsigned k = 0; k < 8; ++k)
-    for (unsigned d = 0; d < 3; ++d) {
-      if (k >> d & 1) continue;
-      const Point a = view(all[k]), b = view(all[k | 1u << d]);
-      const int steps = int(std::hypot(b[0] - a[0], b[1] - a[1])) + 1;
-      for (int t = 0; t <= steps; ++t) {
-        const double f = double(t) / steps;
-        const int x = int(a[0] + f * (b[0] - a[0])), y = int(a[1] + f * (b[1] - a[1]));
-        if (image.holds(x, y)) image.at(x, y) = edge;
-      }
-    }
-}
-
-Color lit(Color c, double light) {
-  const auto part = [&](std::uint8_t v) {
-    return std::uint8_t(std::clamp(double(v) * light, 0.0, 255.0));
-  };
-  return {part(c.r), part(c.g), part(c.b)};
-}
-
-class Canvas {
+/// The balls that each band of rows may show, in order.
+class Bands {
  public:
-  explicit Canvas(Image& image)
-      : image_(image), depth_(image.pixels.size(), -std::numeric_limits<double>::infinity()) {}
-
-  void ball(const Point& p, double radius, Color color) {
-    const int reach = int(radius) + 1;
-    for (int y = int(p[1]) - reach; y <= int(p[1]) + reach; ++y)
-      for (int x = int(p[0]) - reach; x <= int(p[0]) + reach; ++x) {
-        if (!image_.holds(x, y)) continue;
-        const double dx = (x + 0.5 - p[0]) / radius, dy = (y + 0.5 - p[1]) / radius;
-        const double d2 = dx * dx + dy * dy;
-        if (d2 > 1) continue;
-        const double dz = std::sqrt(1 - d2), z = p[2] + radius * dz;
-        double& deepest = depth_[std::size_t(y) * std::size_t(image_.width) + std::size_t(x)];
-        if (z <= deepest) continue;
-        deepest = z;
-        const double lambert = std::max(0.0, -0.45 * dx - 0.65 * dy + 0.61 * dz);
-        image_.at(x, y) = lit(color, 0.35 + 0.75 * lambert);
+  Bands(const std::vector<Ball>& balls, int samples_high)
+      : rows_(band_rows * oversampling), starts_(std::size_t(count(samples_high)) + 2) {
+    const auto each = [&](auto f) {
+      for (std::uint32_t k = 0; k < balls.size(); ++k) {
+        const Ball& b = balls[k];
+        const int last = std::min(int(b.y + b.radius), samples_high - 1) / rows_;
+        for (int band = std::max(0, int(b.y - b.radius)) / rows_; band <= last; ++band)
+          f(std::size_t(band), k);
       }
+    };
+    each([&](std::size_t band, std::uint32_t) { ++starts_[band + 2]; });
+    for (std::size_t k = 2; k < starts_.size(); ++k) starts_[k] += starts_[k - 1];
+    list_.resize(starts_.back());
+    each([&](std::size_t band, std::uint32_t k) { list_[starts_[band + 1]++] = k; });
+  }
+  static int count(int samples_high) {
+    const int rows = band_rows * oversampling;
+    return (samples_high + rows - 1) / rows;
+  }
+  template <class F> void each_in(int band, F f) const {
+    for (std::size_t k = starts_[std::size_t(band)]; k < starts_[std::size_t(band) + 1]; ++k)
+      f(list_[k]);
   }
 
  private:
-  Image& image_;
-  std::vector<double> depth_;
+  int rows_;
+  std::vector<std::size_t> starts_;
+  std::vector<std::uint32_t> list_;
 };
+
+/// Light and a highlight on a ball, by where on it the sample lies.
+class Shader {
+ public:
+  explicit Shader(const View& view)
+      : light_(in_picture(view, light_direction())), up_(in_picture(view, {0, 1, 0})) {
+    const Point half = light_direction() - view.forward;
+    half_ = in_picture(view, half / norm(half));
+  }
+  Color operator()(const Ball& b, Color c, int x, int y) const {
+    const float u = (float(x) + 0.5f - b.x) / b.radius, v = (b.y - float(y) - 0.5f) / b.radius;
+    const Vec<3, float> n{u, v, std::sqrt(std::max(0.0f, 1 - u * u - v * v))};
+    float shine = std::max(0.0f, dot(n, half_));
+    for (int k = 0; k < 5; ++k) shine *= shine;  // the 32nd power
+    const float light = 1.1f * brightness(dot(n, light_), dot(n, up_)), white = 255 * gloss * shine;
+    const auto part = [&](std::uint8_t p) {
+      return std::uint8_t(std::min(255.0f, float(p) * light + white));
+    };
+    return {part(c.r), part(c.g), part(c.b)};
+  }
+
+ private:
+  /// To the right, up and towards the eye.
+  static Vec<3, float> in_picture(const View& view, Point d) {
+    return {float(dot(d, view.right)), float(dot(d, view.up)), -float(dot(d, view.forward))};
+  }
+  Vec<3, float> light_, up_, half_;
+};
+
+/// The mean of a pixel's samples, a row of pixels at a time.
+void resolve(const Band& band, const Balls& balls, const Shader& shade, Image& image) {
+  constexpr int n = oversampling * oversampling;
+  for (int py = band.top / oversampling; py < (band.top + band.rows) / oversampling; ++py)
+    for (int px = 0; px < image.width; ++px) {
+      int r = n / 2, g = n / 2, b = n / 2;
+      for (int k = 0; k < n; ++k) {
+        const int x = oversampling * px + k % oversampling,
+                  y = oversampling * py + k / oversampling;
+        const std::uint32_t what = band.what[band.at(x, y)];
+        const Color c = what & Band::painted ? Band::color(what)
+                                             : shade(balls.all[what], balls.colors[what], x, y);
+        r += c.r;
+        g += c.g;
+        b += c.b;
+      }
+      image.at(px, py) = {std::uint8_t(r / n), std::uint8_t(g / n), std::uint8_t(b / n)};
+    }
+}
+
+/// f(k) for k < n, each once, on so many threads.
+template <class F> void share_out(int n, int threads, F f) {
+  std::atomic<int> next{0};
+  const auto work = [&] {
+    for (int k = next++; k < n; k = next++) f(k);
+  };
+  std::vector<std::future<void>> others;
+  for (int t = 1; t < threads; ++t) others.push_back(std::async(std::launch::async, work));
+  work();
+  for (auto& other : others) other.get();
+}
 
 }  // namespace
 
-Image draw_balls(const Scene& scene, const Frame& fluid) {
-  Image image(int(scene.picture.width), int(scene.picture.height), background);
-  const View view = fit(scene);
-  draw_edges(image, scene, view);
-  std::vector<float> speeds;
-  float fastest = dimmest_full_speed;
-  for (std::size_t i = 0; i < fluid.size(); ++i) {
-    const auto* v = &fluid.v[3 * i];
-    speeds.push_back(std::sqrt(float(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])));
-    fastest = std::max(fastest, speeds.back());
-  }
-  Canvas canvas(image);
-  const double radius = std::max(1.0, view.scale * scene.particles.spacing / 2);
-  for (std::size_t i = 0; i < fluid.size(); ++i) {
-    const auto* x = &fluid.x[3 * i];
-    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2])) continue;
-    Point p = view({double(x[0]), double(x[1]), double(x[2])});
-    for (double& c : p) c = std::clamp(c, -1e6, 1e6);
-    const Color c = speed_color(0.05f + 0.95f * speeds[i] / fastest);
-    canvas.ball(p, radius, {c.r, std::uint8_t(std::max<int>(c.g, 60)), c.b});
-  }
+Image draw_balls(const Scene& scene, const Frame& fluid, const Coloring& colors, int threads) {
+  const Color ground = ground_color(scene);
+  Image image(int(scene.picture.width), int(scene.picture.height), ground);
+  const int wide = oversampling * image.width, high = oversampling * image.height;
+  const View view(pose_at(scene, fluid.time), wide, high);
+  const Stage stage(scene, fluid, view, ground);
+  const Balls balls = balls_of(scene, fluid, colors, view);
+  const Bands bands(balls.all, high);
+  const Shader shade(view);
+  share_out(Bands::count(high), threads, [&](int k) {
+    const int top = k * band_rows * oversampling;
+    Band band(wide, top, std::min(band_rows * oversampling, high - top), ground);
+    stage.draw(band);
+    bands.each_in(k, [&](std::uint32_t ball) { band.draw(balls.all[ball], ball); });
+    resolve(band, balls, shade, image);
+  });
   return image;
 }
 

@@ -2,13 +2,13 @@
 #pragma once
 #include "freshet/frame.h"
 #include "freshet/scene.h"
-#include "render/image.h"
+#include "render/color.h"
 
 namespace freshet {
 
-/// The picture of a 3D fluid: lit balls, as wide as the spacing and coloured by speed over
-/// max(0.1, fastest), in a parallel projection from the front, the right and above, with the edges
-/// of the domain.
-Image draw_balls(const Scene& scene, const Frame& fluid);
+/// The picture of a 3D fluid as the scene's camera sees it: lit balls, a little wider than the
+/// spacing, in perspective, among its walls, with a soft shadow on the floor. The same bits with
+/// any number of threads.
+Image draw_balls(const Scene& scene, const Frame& fluid, const Coloring& colors, int threads = 1);
 
 }  // namespace freshet

@@ -4,18 +4,26 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/balls.h"
+#include "scene/solid_of.h"
 
 namespace freshet {
 namespace {
 
-constexpr Color background{8, 10, 28}, frame{80, 80, 120};
-constexpr int margin = 5;                   // px between the picture's edge and the domain's
-constexpr float dimmest_full_speed = 0.1f;  // m/s that at least stand for red
-constexpr float softness = 0.7f;            // of the dot's radius: where its weight is 1/e
+constexpr Color background{8, 10, 28}, frame{80, 80, 120}, wall{128, 126, 122};
+constexpr int margin = picture_margin;
+constexpr int default_radius = 5;  // px
+constexpr double girth = 1.15;     // spacings that a disc is wide: it closes the gaps
+constexpr float softness = 0.7f;   // of the dot's radius: where its weight is 1/e
 
 std::uint8_t add(std::uint8_t below, std::uint8_t color, float weight) {
   return std::uint8_t(std::min(255.0f, float(below) + float(color) * weight));
+}
+
+void cover(Color& below, Color color, float share) {
+  const auto part = [share](std::uint8_t a, std::uint8_t b) {
+    return std::uint8_t(float(a) + share * (float(b) - float(a)) + 0.5f);
+  };
+  below = {part(below.r, color.r), part(below.g, color.g), part(below.b, color.b)};
 }
 
 /// A dot's weights exp(-d^2/(0.7 r)^2), 0 outside its radius.
@@ -54,6 +62,99 @@ int to_pixels(float x, double low, double high, int size) {
   return int(std::clamp(p, -1e6f, 1e6f));
 }
 
+/// What is seen: the domain, or picture.window.
+struct Window {
+  explicit Window(const Scene& s) : min(s.domain.min), max(s.domain.max) {
+    if (min.empty()) min = {0, 0};
+    if (const Vector& w = s.picture.window; w.size() == 4) {
+      min = {w[0], w[1]};
+      max = {w[2], w[3]};
+    }
+  }
+  double pixels_per_metre(const Image& image, std::size_t axis) const {
+    return ((axis == 0 ? image.width : image.height) - 2 * margin) / (max[axis] - min[axis]);
+  }
+  Vector min, max;
+};
+
+struct Extent {
+  int left, top, right, bottom;
+};
+
+/// The pixels that a wall can take up.
+Extent extent_of(const Solid<2, double>& solid, const Window& window, const double (&scale)[2],
+                 const Image& image) {
+  const int right = image.width - margin, bottom = image.height - margin;
+  if (solid.fluid_inside || solid.kind == SolidKind::plane) return {margin, margin, right, bottom};
+  const bool ball = solid.kind == SolidKind::ball;
+  const double half_x = ball ? solid.radius : solid.half.x;
+  const double half_y = ball ? solid.radius : solid.half.y;
+  const auto pixel = [](double p, int last) {
+    return int(std::clamp(p, double(margin), double(last)));
+  };
+  const double x = margin + (solid.center.x - window.min[0]) * scale[0];
+  const double y = bottom - (solid.center.y - window.min[1]) * scale[1];
+  return {pixel(x - half_x * scale[0] - 1, right), pixel(y - half_y * scale[1] - 1, bottom),
+          pixel(x + half_x * scale[0] + 2, right), pixel(y + half_y * scale[1] + 2, bottom)};
+}
+
+/// Grey where a wall is, with smooth edges.
+void draw_walls(Image& image, const Scene& s, const Window& window) {
+  const double scale[] = {window.pixels_per_metre(image, 0), window.pixels_per_metre(image, 1)};
+  for (const Scene::Wall& w : s.wall) {
+    if (w.shape == Shape::points) continue;
+    const auto solid = solid_of<2>(w);
+    const Extent e = extent_of(solid, window, scale, image);
+    for (int y = e.top; y < e.bottom; ++y)
+      for (int x = e.left; x < e.right; ++x) {
+        const Vec<2, double> p{window.min[0] + (x + 0.5 - margin) / scale[0],
+                               window.max[1] - (y + 0.5 - margin) / scale[1]};
+        const double inside = 0.5 - solid.distance(p) * std::min(scale[0], scale[1]);
+        if (inside > 0) cover(image.at(x, y), wall, std::min(1.0f, float(inside)));
+      }
+  }
+}
+
+/// The article's: light that adds up.
+void add_dots(Image& image, const Scene& scene, const Window& window, const Frame& fluid,
+              const Coloring& colors) {
+  const int radius = int(scene.picture.dot_radius.value_or(default_radius));
+  const std::vector<float> weights = dot_weights(radius);
+  const auto &min = window.min, &max = window.max;
+  for (std::size_t i = 0; i < fluid.size(); ++i) {
+    const float x = fluid.x[2 * i], y = fluid.x[2 * i + 1];
+    if (!std::isfinite(x) || !std::isfinite(y)) continue;
+    const int px = to_pixels(x, min[0], max[0], image.width) + margin;
+    const int py = image.height - margin - to_pixels(y, min[1], max[1], image.height);
+    add_dot(image, px, py, colors(i), radius, weights);
+  }
+}
+
+/// Discs with smooth edges; where they overlap, the later particle is seen.
+void cover_with_discs(Image& image, const Scene& scene, const Window& window, const Frame& fluid,
+                      const Coloring& colors) {
+  const double across = window.pixels_per_metre(image, 0), up = window.pixels_per_metre(image, 1);
+  const float natural =
+      float(std::max(1.0, girth / 2 * scene.particles.spacing * std::min(across, up)));
+  const auto given = scene.picture.dot_radius;
+  const float radius = given ? float(*given) : natural;
+  const int reach = int(radius) + 2;
+  for (std::size_t i = 0; i < fluid.size(); ++i) {
+    const double x = margin + (double(fluid.x[2 * i]) - window.min[0]) * across;
+    const double y = image.height - margin - (double(fluid.x[2 * i + 1]) - window.min[1]) * up;
+    if (!(x > -reach && x < image.width + reach && y > -reach && y < image.height + reach))
+      continue;
+    const Color color = colors(i);
+    for (int py = int(y) - reach; py <= int(y) + reach; ++py)
+      for (int px = int(x) - reach; px <= int(x) + reach; ++px) {
+        const float dx = float(px + 0.5 - x), dy = float(py + 0.5 - y);
+        const float inside = radius + 0.5f - std::sqrt(dx * dx + dy * dy);
+        if (inside > 0 && image.holds(px, py))
+          cover(image.at(px, py), color, std::min(1.0f, inside));
+      }
+  }
+}
+
 }  // namespace
 
 Color speed_color(float t) {
@@ -63,31 +164,18 @@ Color speed_color(float t) {
   return {std::uint8_t(r * 255), std::uint8_t(g * 255), std::uint8_t(b * 255)};
 }
 
-Image draw_dots(const Scene& scene, const Frame& fluid) {
-  Image image(int(scene.picture.width), int(scene.picture.height), background);
-  const int radius = int(scene.picture.dot_radius);
-  const std::vector<float> weights = dot_weights(radius);
-  std::vector<float> speeds;
-  for (std::size_t i = 0; i < fluid.size(); ++i) {
-    const float u = float(fluid.v[2 * i]), w = float(fluid.v[2 * i + 1]);
-    speeds.push_back(std::sqrt(u * u + w * w));
-  }
-  float fastest = dimmest_full_speed;
-  for (const float speed : speeds) fastest = std::max(fastest, speed);
-  const auto &min = scene.domain.min, &max = scene.domain.max;
-  for (std::size_t i = 0; i < fluid.size(); ++i) {
-    const float x = float(fluid.x[2 * i]), y = float(fluid.x[2 * i + 1]);
-    if (!std::isfinite(x) || !std::isfinite(y)) continue;
-    const int px = to_pixels(x, min[0], max[0], image.width) + margin;
-    const int py = image.height - margin - to_pixels(y, min[1], max[1], image.height);
-    add_dot(image, px, py, speed_color(speeds[i] / fastest), radius, weights);
-  }
+Image draw_dots(const Scene& scene, const Frame& fluid, const Coloring& colors) {
+  Image image(int(scene.picture.width), int(scene.picture.height), ground_color(scene));
+  const Window window(scene);
+  draw_walls(image, scene, window);
+  if (scene.picture.dots == Dots::glow) add_dots(image, scene, window, fluid, colors);
+  else cover_with_discs(image, scene, window, fluid, colors);
   draw_frame(image);
   return image;
 }
 
-Image draw(const Scene& scene, const Frame& fluid) {
-  return fluid.dimension == 2 ? draw_dots(scene, fluid) : draw_balls(scene, fluid);
+Image draw_dots(const Scene& scene, const Frame& fluid) {
+  return draw_dots(scene, fluid, color_particles(scene, fluid));
 }
 
 PictureStatistics picture_statistics(const Image& image) {

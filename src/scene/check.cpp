@@ -32,6 +32,8 @@ std::vector<Diagnostic> contradictions(const Scene& given,
   if (!sizes) return std::move(findings.list);
 
   if (read("particles")) check_resolution(scene, findings);
+  if (read("picture")) check_picture(scene, findings);
+  if (read("camera")) check_camera(scene, findings);
   if (read("particles")) check_periodic(scene, findings);
   if (read("solver")) check_gravity(scene, findings);
   if (read("solver", "particles", "walls", "wall", "time")) check_scheme(scene, findings);

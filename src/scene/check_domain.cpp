@@ -84,6 +84,10 @@ void check_sizes(const Scene& s, Findings& out) {
   }
   for (std::size_t k = 0; k < s.wall.size(); ++k)
     check_region(fmt::format("wall[{}].", k), s.wall[k]);
+  for (std::size_t k = 0; k < s.camera.size(); ++k) {
+    check(fmt::format("camera[{}].position", k), s.camera[k].position.size());
+    check(fmt::format("camera[{}].target", k), s.camera[k].target.size());
+  }
 }
 
 void check_periodic(const Scene& s, Findings& out) {

@@ -65,6 +65,40 @@ void check_every(const Scene& s, const char* name, std::optional<std::int64_t> s
                                *seconds, step));
 }
 
+/// Not too many of them.
+void check_count(const Scene& s, const char* name, std::optional<std::int64_t> every_steps,
+                 std::optional<double> every, Findings& out) {
+  const double steps = std::round(s.time.end / s.time.step);
+  const std::string key = fmt::format("output.{}", name);
+  const auto too_many = [&](const std::string& given, double frames) {
+    out.error(given, fmt::format("the run would write {:.4g} frames; at most {:.0f} are allowed; "
+                                 "make {} larger",
+                                 frames, most_frames, given));
+  };
+  const double per = double(every_steps.value_or(0));
+  if (!s.time.adaptive && per > 0 && steps <= most_steps && steps / per > most_frames)
+    too_many(key + "_steps", steps / per);
+  else if (every && s.time.end / *every > most_frames) too_many(key, s.time.end / *every);
+}
+
+/// The data files.
+void check_data(const Scene& s, Findings& out) {
+  const auto& data = s.output.data;
+  if (data.empty())
+    for (const char* key : {"fields", "precision", "data_every", "data_every_steps"})
+      out.unused(fmt::format("output.{}", key), fmt::format("output.{}", key),
+                 "output.data is empty, so that no data files are written; remove it, or name a "
+                 "format there");
+  else if (s.output.precision == Precision::float16)
+    for (const DataFormat format : data)
+      if (format != DataFormat::hdf5)
+        return out.error(
+            "output.precision",
+            fmt::format("output.precision = \"float16\" is hdf5's only, and output.data {} "
+                        "\"{}\"; set output.data = [\"hdf5\"], or choose \"float32\"",
+                        out.given("output.data") ? "has" : "is", data_words[int(format)]));
+}
+
 }  // namespace
 
 void check_method(const Scene& s, Findings& out) {
@@ -164,19 +198,14 @@ void check_time(const Scene& s, Findings& out) {
 
 void check_output(const Scene& s, Findings& out) {
   check_every(s, "frame_every", s.output.frame_every_steps, s.output.frame_every, out);
+  check_every(s, "data_every", s.output.data_every_steps, s.output.data_every, out);
   check_every(s, "observables_every", s.output.observables_every_steps, s.output.observables_every,
               out);
-  const double steps = std::round(s.time.end / s.time.step);
-  const double every = double(s.output.frame_every_steps.value_or(0));
-  const auto too_many = [&](const char* key, double frames) {
-    out.error(key, fmt::format("the run would write {:.4g} frames; at most {:.0f} are allowed; "
-                               "make {} larger",
-                               frames, most_frames, key));
-  };
-  if (!s.time.adaptive && every > 0 && steps <= most_steps && steps / every > most_frames)
-    too_many("output.frame_every_steps", steps / every);
-  else if (s.output.frame_every && s.time.end / *s.output.frame_every > most_frames)
-    too_many("output.frame_every", s.time.end / *s.output.frame_every);
+  check_every(s, "checkpoint_every", s.output.checkpoint_every_steps, s.output.checkpoint_every,
+              out);
+  check_data(s, out);
+  check_count(s, "frame_every", s.output.frame_every_steps, s.output.frame_every, out);
+  check_count(s, "data_every", s.output.data_every_steps, s.output.data_every, out);
 }
 
 }  // namespace freshet

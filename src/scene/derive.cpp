@@ -8,6 +8,7 @@
 #include "kernels/spiky.h"
 #include "kernels/wendland.h"
 #include "scene/check.h"
+#include "scene/data_bytes.h"
 #include "scene/schedule.h"
 #include "scene/setup.h"
 
@@ -140,7 +141,10 @@ Derived derive(const Scene& scene) {
   d.left_out = start.left_out;
   for (const WallSample* w : {&start.akinci2012, &start.adami2012, &start.monaghan2009})
     d.wall_particles += std::int64_t(w->wall.size());
-  d.frames = Schedule(s).frames();
+  const Schedule schedule(s);
+  d.frames = schedule.frames();
+  d.data_frames = schedule.data_frames();
+  d.data_bytes = double(d.data_frames) * data_bytes(s, d.particles);
   d.spacing = s.particles.spacing;
   d.support_radius = support_radius(s);
   d.rest_density = s.fluid.at(0).rest_density;

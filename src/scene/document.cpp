@@ -16,8 +16,8 @@ using Json = nlohmann::ordered_json;
 /// Reduces every kind of key to one call: its type in words, its default, its words.
 class Describer : public KeyVisitor {
  public:
-  void text(std::string_view n, std::string&, const KeyDoc& d) override {
-    key(n, "string", "\"\"", d);
+  void text(std::string_view n, std::string& v, const KeyDoc& d) override {
+    key(n, "string", fmt::format("\"{}\"", v), d);
   }
   void number(std::string_view n, double& v, const KeyDoc& d) override {
     key(n, "number", fmt::format("{}", v), d);
@@ -34,6 +34,12 @@ class Describer : public KeyVisitor {
   void vector(std::string_view n, Vector& v, const KeyDoc& d) override {
     key(n, "2 or 3 numbers", fmt::format("[{}]", fmt::join(v, ", ")), d);
   }
+  void numbers(std::string_view n, Vector&, std::size_t count, const KeyDoc& d) override {
+    key(n, fmt::format("{} numbers", count), "", d);
+  }
+  void boolean(std::string_view n, bool& v, const KeyDoc& d) override {
+    key(n, "boolean", v ? "true" : "false", d);
+  }
   void counts(std::string_view n, Counts&, const KeyDoc& d) override {
     key(n, "2 or 3 integers", "", d);
   }
@@ -46,6 +52,14 @@ class Describer : public KeyVisitor {
   void word(std::string_view n, int& v, Words words, const KeyDoc& d) override {
     words_ = {words.begin(), words.end()};
     key(n, "word", v < 0 ? "" : fmt::format("\"{}\"", words_[std::size_t(v)]), d);
+    words_.clear();
+  }
+  void word_list(std::string_view n, std::vector<int>& v, Words words, const KeyDoc& d) override {
+    words_ = {words.begin(), words.end()};
+    std::string list;
+    for (const int place : v)
+      list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", words_[std::size_t(place)]);
+    key(n, "list of words", fmt::format("[{}]", list), d);
     words_.clear();
   }
 
@@ -98,11 +112,17 @@ class SchemaWriter final : public Describer {
            const KeyDoc& doc) override {
     Json json;
     if (type == "word") json = {{"enum", words_}};
+    else if (type == "list of words")
+      json = {{"type", "array"}, {"items", {{"enum", words_}}}, {"uniqueItems", true}};
     else if (type == "number or word")
       json = {{"oneOf", {number("number", doc), {{"enum", words_}}}}};
     else if (type == "string") json = {{"type", "string"}};
     else if (type == "number") json = number("number", doc);
     else if (type == "integer") json = number("integer", doc);
+    else if (type == "boolean") json = {{"type", "boolean"}};
+    else if (const auto n = type.front() - '0'; type == fmt::format("{} numbers", n))
+      json = {
+          {"type", "array"}, {"items", number("number", doc)}, {"minItems", n}, {"maxItems", n}};
     else
       json = {{"type", "array"},
               {"items", number(type == "2 or 3 integers" ? "integer" : "number", doc)},

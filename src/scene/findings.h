@@ -60,6 +60,9 @@ void check_fluids(const Scene& scene, bool walls_are_good, Findings& out);
 bool check_walls(const Scene& scene, Findings& out);
 void check_sides(const Scene& scene, Findings& out);
 
+void check_picture(const Scene& scene, Findings& out);
+void check_camera(const Scene& scene, Findings& out);
+
 bool good_domain(const Scene& scene);
 
 }  // namespace freshet

@@ -39,9 +39,19 @@ inline constexpr const char* diffusion_words[] = {"none", "fourtakas2019", "antu
 inline constexpr const char* backend_words[] = {"cpu", "reference"};
 inline constexpr const char* search_words[] = {"grid", "all_pairs"};
 inline constexpr const char* order_words[] = {"cell", "id"};
+inline constexpr const char* wrong_words[] = {"stop", "warn"};
 inline constexpr const char* method_words[] = {"open",  "reflection", "monaghan2009",
                                                "ghost", "akinci2012", "adami2012"};
 inline constexpr const char* slip_words[] = {"free_slip", "no_slip"};
+inline constexpr const char* data_words[] = {"vtp", "ply", "csv", "hdf5"};
+inline constexpr const char* field_words[] = {"velocity", "density", "pressure", "id"};
+inline constexpr const char* precision_words[] = {"float32", "float16"};
+inline constexpr const char* dots_words[] = {"glow", "solid"};
+inline constexpr const char* color_by_words[] = {"speed",      "velocity_x", "velocity_y",
+                                                 "velocity_z", "density",    "density_error",
+                                                 "pressure",   "height",     "id"};
+inline constexpr const char* color_map_words[] = {"article", "water", "viridis", "inferno",
+                                                  "coolwarm"};
 inline constexpr const char* integrator_words[] = {"symplectic_euler", "leapfrog", "verlet"};
 
 /// Someone who walks the table: each call is a key, with the member of the scene that it fills.
@@ -62,12 +72,19 @@ class KeyVisitor {
   virtual void integer(std::string_view name, std::optional<std::int64_t>& value,
                        const KeyDoc& doc) = 0;
   virtual void vector(std::string_view name, Vector& value, const KeyDoc& doc) = 0;
+  /// As many numbers as `count`, whatever the dimension; `value` stays empty while there are none.
+  virtual void numbers(std::string_view name, Vector& value, std::size_t count,
+                       const KeyDoc& doc) = 0;
+  virtual void boolean(std::string_view name, bool& value, const KeyDoc& doc) = 0;
   virtual void counts(std::string_view name, Counts& value, const KeyDoc& doc) = 0;
   /// A number, or a word in its place, which sets `is_word`.
   virtual void number_or_word(std::string_view name, double& value, bool& is_word, const char* word,
                               const KeyDoc& doc) = 0;
   /// The place of a word among `words`; -1 while there is none.
   virtual void word(std::string_view name, int& value, Words words, const KeyDoc& doc) = 0;
+  /// The places of several words among `words`, each once.
+  virtual void word_list(std::string_view name, std::vector<int>& value, Words words,
+                         const KeyDoc& doc) = 0;
 
   /// An enum whose values are the places of its words.
   template <class E> void choice(std::string_view name, E& value, Words words, const KeyDoc& doc) {
@@ -80,6 +97,14 @@ class KeyVisitor {
     int index = value ? static_cast<int>(*value) : -1;
     word(name, index, words, doc);
     if (index >= 0) value = static_cast<E>(index);
+  }
+  template <class E>
+  void choices(std::string_view name, std::vector<E>& value, Words words, const KeyDoc& doc) {
+    std::vector<int> places;
+    for (const E e : value) places.push_back(static_cast<int>(e));
+    word_list(name, places, words, doc);
+    value.clear();
+    for (const int place : places) value.push_back(static_cast<E>(place));
   }
   template <class T, class F>
   void tables(std::string_view name, std::string_view text, std::vector<T>& all, F keys) {

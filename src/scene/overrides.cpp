@@ -59,7 +59,7 @@ toml::table& enter(toml::table& table, const std::string& key, const std::string
   if (!node.is_table()) fail(key, fmt::format("{} is a value, not a table of keys", name));
   if (count > 0) fail(key, fmt::format("there is no {}[{}]; the scene has 1", name, count));
   // the one [fluid] is fluid[0], as the reader of the scene counts it
-  path += name == "fluid" || name == "wall" ? "[0]." : ".";
+  path += name == "fluid" || name == "wall" || name == "camera" ? "[0]." : ".";
   return *node.as_table();
 }
 

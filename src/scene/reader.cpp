@@ -241,15 +241,18 @@ void SceneReader::integer(std::string_view name, std::optional<std::int64_t>& va
   if (const auto v = read_number(name, doc, true)) value = std::int64_t(*v);
 }
 
-Vector SceneReader::read_array(std::string_view name, const KeyDoc& doc, bool whole) {
+Vector SceneReader::read_array(std::string_view name, const KeyDoc& doc, bool whole,
+                               std::size_t count) {
   const toml::node* node = take(name, doc);
   if (!node) return {};
   const auto* a = node->as_array();
   const std::size_t n = a ? a->size() : 0;
-  if (dimension_ ? n != dimension_ : n != 2 && n != 3) {
+  const bool good = count ? n == count : dimension_ ? n == dimension_ : n == 2 || n == 3;
+  if (!good) {
+    const std::string words = count ? fmt::format("{} numbers in brackets", count)
+                                    : vector_words(dimension_, whole ? "whole numbers" : "numbers");
     reject(node->source(), fmt::format("{}{}", scope_.path, name),
-           fmt::format("{}{} is {}; it must be {}", scope_.name, name, found(*node),
-                       vector_words(dimension_, whole ? "whole numbers" : "numbers")));
+           fmt::format("{}{} is {}; it must be {}", scope_.name, name, found(*node), words));
     return {};
   }
   Vector read;
@@ -261,6 +264,20 @@ Vector SceneReader::read_array(std::string_view name, const KeyDoc& doc, bool wh
 
 void SceneReader::vector(std::string_view name, Vector& value, const KeyDoc& doc) {
   if (Vector read = read_array(name, doc, false); !read.empty()) value = std::move(read);
+}
+
+void SceneReader::numbers(std::string_view name, Vector& value, std::size_t count,
+                          const KeyDoc& doc) {
+  if (Vector read = read_array(name, doc, false, count); !read.empty()) value = std::move(read);
+}
+
+void SceneReader::boolean(std::string_view name, bool& value, const KeyDoc& doc) {
+  const toml::node* node = take(name, doc);
+  if (!node) return;
+  if (const auto* b = node->as_boolean()) value = b->get();
+  else
+    reject(node->source(), fmt::format("{}{}", scope_.path, name),
+           fmt::format("{}{} is {}; it must be true or false", scope_.name, name, found(*node)));
 }
 
 void SceneReader::counts(std::string_view name, Counts& value, const KeyDoc& doc) {
@@ -284,22 +301,46 @@ void SceneReader::number_or_word(std::string_view name, double& value, bool& is_
                      limits(*node, doc, false), word));
 }
 
-void SceneReader::word(std::string_view name, int& value, Words words, const KeyDoc& doc) {
-  const toml::node* node = take(name, doc);
-  if (!node) return;
-  const auto* s = node->as_string();
+int SceneReader::read_word(const std::string& name, const toml::node& node, Words words) {
+  const auto* s = node.as_string();
   const auto it = std::find(words.begin(), words.end(), s ? s->get() : std::string());
-  if (it != words.end()) {
-    value = int(it - words.begin());
-    return;
-  }
+  if (it != words.end()) return int(it - words.begin());
   const std::string guess =
       s && words.size() > 1
           ? nearest(s->get(), std::set<std::string, std::less<>>(words.begin(), words.end()))
           : "";
-  reject(node->source(), fmt::format("{}{}", scope_.path, name),
-         fmt::format("{}{} is {}; it must be {}{}", scope_.name, name, found(*node), one_of(words),
+  reject(node.source(), scope_.path + name,
+         fmt::format("{}{} is {}; it must be {}{}", scope_.name, name, found(node), one_of(words),
                      guess.empty() ? "" : fmt::format("; did you mean \"{}\"?", guess)));
+  return -1;
+}
+
+void SceneReader::word(std::string_view name, int& value, Words words, const KeyDoc& doc) {
+  const toml::node* node = take(name, doc);
+  const int place = node ? read_word(std::string(name), *node, words) : -1;
+  if (place >= 0) value = place;
+}
+
+void SceneReader::word_list(std::string_view name, std::vector<int>& value, Words words,
+                            const KeyDoc& doc) {
+  const toml::node* node = take(name, doc);
+  if (!node) return;
+  const toml::array* list = node->as_array();
+  if (!list)
+    return reject(node->source(), fmt::format("{}{}", scope_.path, name),
+                  fmt::format("{}{} is {}; it must be a list of {}", scope_.name, name,
+                              found(*node), one_of(words)));
+  value.clear();
+  for (std::size_t k = 0; k < list->size(); ++k) {
+    const std::string path = fmt::format("{}[{}]", name, k);
+    const int place = read_word(path, *list->get(k), words);
+    if (place < 0) return;  // one wrong word tells what the others may be
+    if (std::find(value.begin(), value.end(), place) != value.end())
+      return reject(list->get(k)->source(), scope_.path + path,
+                    fmt::format("{}{} has \"{}\" twice; name it once", scope_.name, name,
+                                words[std::size_t(place)]));
+    value.push_back(place);
+  }
 }
 
 }  // namespace freshet

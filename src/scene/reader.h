@@ -37,10 +37,14 @@ class SceneReader final : public KeyVisitor {
   void integer(std::string_view name, std::optional<std::int64_t>& value,
                const KeyDoc& doc) override;
   void vector(std::string_view name, Vector& value, const KeyDoc& doc) override;
+  void numbers(std::string_view name, Vector& value, std::size_t count, const KeyDoc& doc) override;
+  void boolean(std::string_view name, bool& value, const KeyDoc& doc) override;
   void counts(std::string_view name, Counts& value, const KeyDoc& doc) override;
   void number_or_word(std::string_view name, double& value, bool& is_word, const char* word,
                       const KeyDoc& doc) override;
   void word(std::string_view name, int& value, Words words, const KeyDoc& doc) override;
+  void word_list(std::string_view name, std::vector<int>& value, Words words,
+                 const KeyDoc& doc) override;
 
  private:
   struct Scope {  // the table that keys are read from now
@@ -57,7 +61,10 @@ class SceneReader final : public KeyVisitor {
   /// The number if it is one that the key may have.
   std::optional<double> in_range(const std::string& name, const toml::node& node, const KeyDoc& doc,
                                  bool whole);
-  Vector read_array(std::string_view name, const KeyDoc& doc, bool whole);
+  /// As many numbers as the domain has, or as `count` says.
+  Vector read_array(std::string_view name, const KeyDoc& doc, bool whole, std::size_t count = 0);
+  /// The place of the word that the node is among `words`; -1, and an error, where it is none.
+  int read_word(const std::string& name, const toml::node& node, Words words);
   void report_unknown();
   void complain(const toml::source_region& where, const std::string& path, std::string message);
   /// The same of a key without whose value the checks of its section make no sense.

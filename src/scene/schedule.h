@@ -27,6 +27,10 @@ class Every {
     if (s.step == 0 || s.last) return true;
     return steps_ > 0 ? s.step % steps_ == 0 : times_by(s.after) > times_by(s.before);
   }
+  /// Due as a step's multiple says, the first and the last not counted as such.
+  bool due_within(const StepTaken& s) const {
+    return steps_ > 0 ? (s.step + 1) % steps_ == 0 : times_by(s.after) > times_by(s.before);
+  }
   /// How often in a run of this many steps; in an adaptive one, whose last argument is 0, at most.
   std::int64_t times(std::int64_t steps, double end, double step) const {
     const std::int64_t last = steps - 1;
@@ -58,12 +62,26 @@ class Schedule {
   explicit Schedule(const Scene& s)
       : frame_(every(s, s.output.frame_every_steps, s.output.frame_every, 10)),
         observe_(every(s, s.output.observables_every_steps, s.output.observables_every, 100)),
-        frames_(frame_.times(s.steps(), s.time.end, s.time.adaptive ? 0 : s.time.step)) {}
+        data_(data_of(s)),
+        checkpoint_(
+            s.output.checkpoint_every_steps || s.output.checkpoint_every
+                ? std::optional<Every>({s.output.checkpoint_every_steps, s.output.checkpoint_every})
+                : std::nullopt),
+        frames_(times(s, frame_)),
+        data_frames_(s.output.data.empty() ? 0 : times(s, data_)) {}
 
   bool frame_after(const StepTaken& s) const { return frame_.due(s); }
+  bool data_after(const StepTaken& s) const { return data_frames_ > 0 && data_.due(s); }
   bool observe_after(const StepTaken& s) const { return observe_.due(s); }
+  /// Whether a checkpoint is due by the scene; one that gives no rate leaves it to the clock.
+  bool checkpoint_after(const StepTaken& s) const {
+    return checkpoint_ && checkpoint_->due_within(s);
+  }
+  bool checkpoints_by_clock() const { return !checkpoint_; }
   /// How many pictures a run writes; of an adaptive one the most.
   std::int64_t frames() const { return frames_; }
+  /// The same of the data files of each format.
+  std::int64_t data_frames() const { return data_frames_; }
 
  private:
   static Every every(const Scene& s, std::optional<std::int64_t> steps,
@@ -72,9 +90,18 @@ class Schedule {
     if (!steps && !seconds) steps = std::max<std::int64_t>(1, (s.steps() - 1) / parts);
     return {steps, seconds};
   }
+  static Every data_of(const Scene& s) {
+    const auto& o = s.output;
+    if (o.data_every_steps || o.data_every) return every(s, o.data_every_steps, o.data_every, 10);
+    return every(s, o.frame_every_steps, o.frame_every, 10);
+  }
+  static std::int64_t times(const Scene& s, const Every& e) {
+    return e.times(s.steps(), s.time.end, s.time.adaptive ? 0 : s.time.step);
+  }
 
-  Every frame_, observe_;
-  std::int64_t frames_;
+  Every frame_, observe_, data_;
+  std::optional<Every> checkpoint_;
+  std::int64_t frames_, data_frames_;
 };
 
 }  // namespace freshet

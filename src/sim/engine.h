@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/state_array.h"
 #include "freshet/report.h"
 #include "freshet/scene.h"
 #include "freshet/simulation.h"
@@ -15,20 +16,6 @@ namespace freshet {
 /// A solver on a backend, as the simulation sees it: no template, no instruction set, no threads.
 class Engine {
  public:
-  /// An array of what a restart needs.
-  struct StateArray {
-    enum class Number { int32, uint64, float32, float64 };
-    std::string name;  ///< "SET/FIELD"
-    std::byte* data;
-    std::int64_t count;  ///< particles of the set
-    int components;      ///< numbers a particle
-    Number number;
-    enum class Role { kept, other, fixed } role;  ///< the fluid's kept fields; walls are fixed
-    std::size_t bytes_per_particle() const {
-      return std::size_t(components) *
-             (number == Number::int32 || number == Number::float32 ? 4 : 8);
-    }
-  };
   virtual ~Engine() = default;
   virtual void step(double dt) = 0;
   /// The bounds of the next step, by the state and the accelerations of the last.

@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <cstring>
+#include <string_view>
 #include <type_traits>
 
 #include "sim/enclosure.h"
@@ -68,9 +69,17 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
   void allocate(Particles<D>& set, const char* set_name, const char* name, Keep keep,
                 Field<T>& field) {
     backend_.allocate(set, keep, field);
-    if (keep == Keep::kept)
+    using Role = StateArray::Role;
+    const bool fluid = set.set == fluid_.set, kept = keep == Keep::kept;
+    if (kept || (fluid && shown_between_steps(name)))
       remember(std::string(set_name) + "/" + name, field.data, set.n,
-               set.set == fluid_.set ? StateArray::Role::kept : StateArray::Role::fixed);
+               !fluid ? Role::fixed
+               : kept ? Role::kept
+                      : Role::other);
+  }
+  /// Scratch that is looked at between two steps: by pictures, and by the bounds of the next step.
+  static bool shown_between_steps(std::string_view name) {
+    return name == "rho" || name == "p" || name == "a";
   }
   template <class T>
   void remember(std::string name, T* data, std::int64_t count, StateArray::Role role) {

@@ -7,29 +7,35 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <utility>
 
+#include "io/checkpoint.h"
 #include "io/sha256.h"
 #include "scene/setup.h"
 #include "sim/engines/select.h"
+#include "sim/health.h"
 
 namespace freshet {
 namespace {
 
-constexpr std::int64_t steps_between_looks = 100;
-
-/// The places of the particles in the order of their ids, which mostly are 0 to n - 1.
-std::vector<std::size_t> order_by_id(const ParticleView& fluid) {
-  const std::size_t n = fluid.size();
+/// The places of particles in the order of their ids, which mostly are 0 to n - 1.
+std::vector<std::size_t> order_by_id(std::span<const std::uint64_t> id) {
+  const std::size_t n = id.size();
   std::vector<std::size_t> order(n);
-  if (std::all_of(fluid.id.begin(), fluid.id.end(), [=](std::uint64_t id) { return id < n; })) {
-    for (std::size_t i = 0; i < n; ++i) order[fluid.id[i]] = i;
+  if (std::all_of(id.begin(), id.end(), [=](std::uint64_t k) { return k < n; })) {
+    for (std::size_t i = 0; i < n; ++i) order[id[i]] = i;
     return order;
   }
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return fluid.id[a] < fluid.id[b]; });
+            [&](std::size_t a, std::size_t b) { return id[a] < id[b]; });
   return order;
+}
+
+std::span<const std::uint64_t> ids_of(const StateArray& id) {
+  return {reinterpret_cast<const std::uint64_t*>(id.data), std::size_t(id.count)};
 }
 
 static_assert(std::endian::native == std::endian::little, "digests are over little-endian numbers");
@@ -40,9 +46,10 @@ struct Simulation::Impl {
   Impl(Scene s, const Execution& execution) : scene(with_defaults(std::move(s))) {
     derived = derive(scene);
     engine = make_engine(scene, derived, execution);
+    health.emplace(scene, derived, engine->fluid());
   }
-  void look_for_failure() const;
-  [[noreturn]] void fail(std::uint64_t id, const Real* x) const;
+  std::vector<StateArray> state() const;
+  std::string state_digest(StateArray::Role role) const;
   double next_step();
 
   Scene scene;
@@ -51,6 +58,7 @@ struct Simulation::Impl {
   std::int64_t steps = 0;
   double time = 0, forces_asked = 0;
   TimeSteps time_steps;
+  std::optional<Health> health;  // refers to the scene
 };
 
 Simulation::Simulation(Scene scene, const Execution& execution)
@@ -63,6 +71,7 @@ const Scene& Simulation::scene() const { return impl_->scene; }
 std::int64_t Simulation::steps_done() const { return impl_->steps; }
 double Simulation::time() const { return impl_->time; }
 const TimeSteps& Simulation::time_steps() const { return impl_->time_steps; }
+const std::vector<Warning>& Simulation::warnings() const { return impl_->health->warnings(); }
 TimeStepBounds Simulation::bounds() { return impl_->engine->bounds(); }
 bool Simulation::finished() const {
   const Scene& s = impl_->scene;
@@ -70,6 +79,29 @@ bool Simulation::finished() const {
 }
 ParticleView Simulation::fluid() const { return impl_->engine->fluid(); }
 const std::vector<VerbTiming>& Simulation::timings() const { return impl_->engine->timings(); }
+
+/// Without the arrays of sets that nothing is in.
+std::vector<StateArray> Simulation::Impl::state() const {
+  auto all = engine->state();
+  std::erase_if(all, [](const StateArray& a) { return a.count == 0; });
+  return all;
+}
+
+/// Over the arrays of a role in the order of their names, each in the order of its set's ids.
+std::string Simulation::Impl::state_digest(StateArray::Role role) const {
+  auto arrays = state();
+  std::sort(arrays.begin(), arrays.end(), [](auto& a, auto& b) { return a.name < b.name; });
+  Sha256 sha;
+  for (const StateArray& a : arrays) {
+    if (a.role != role) continue;
+    const std::string id = a.name.substr(0, a.name.find('/')) + "/id";
+    const auto ids = std::find_if(arrays.begin(), arrays.end(),
+                                  [&](const StateArray& other) { return other.name == id; });
+    const std::size_t bytes = a.bytes_per_particle();
+    for (const std::size_t i : order_by_id(ids_of(*ids))) sha.add(a.data + i * bytes, bytes);
+  }
+  return sha.hex();
+}
 
 void Simulation::step() {
   Impl& i = *impl_;
@@ -80,59 +112,27 @@ void Simulation::step() {
   i.time_steps.last = dt;
   i.time_steps.min = i.steps == 1 ? dt : std::min(i.time_steps.min, dt);
   i.time_steps.max = std::max(i.time_steps.max, dt);
-  if (i.steps % steps_between_looks == 0 || finished()) i.look_for_failure();
+  if (Health::due(i.steps) || finished())
+    i.health->look({i.steps, i.time, dt}, i.engine->fluid(), [&i] { return i.engine->bounds(); });
 }
 
 double Simulation::Impl::next_step() {
-  if (!scene.time.adaptive) return scene.time.step;
+  if (!scene.time.adaptive) {
+    time_steps.last_ruled = "fixed";
+    return scene.time.step;
+  }
   const TimeStepBounds b = engine->bounds();
   const double most = *scene.time.step_max;
   const bool bounded = b.least() < most;
-  ++time_steps.ruled[bounded ? b.ruling() : "step_max"];
+  time_steps.last_ruled = bounded ? b.ruling() : "step_max";
+  ++time_steps.ruled[time_steps.last_ruled];
   const double dt = bounded ? b.least() : most;
-  if (dt > 1e-9 * scene.time.end) return dt;
-  throw Error(Error::Kind::run, "",
-              fmt::format("the time step fell to {:.3g} s at step {}, {:.6g} s, by the bound of "
-                          "{}: the run has blown up; look at the start of the scene, or make "
-                          "time.step_max smaller",
-                          dt, steps, time, b.ruling()));
+  if (dt > health->least_step()) return dt;
+  health->fail_for_step({steps, time, dt}, b);
 }
 
 std::vector<Vector> Simulation::wall_forces() {
   return impl_->engine->wall_forces(impl_->time - std::exchange(impl_->forces_asked, impl_->time));
-}
-
-/// A particle that is nowhere, or so far out that it cannot come back, is the end of the run.
-void Simulation::Impl::look_for_failure() const {
-  const ParticleView f = engine->fluid();
-  const Vector &min = scene.domain.min, &max = scene.domain.max;
-  const auto D = std::size_t(f.dimension);
-  double diagonal2 = 0;
-  for (std::size_t d = 0; d < D; ++d) diagonal2 += (max[d] - min[d]) * (max[d] - min[d]);
-  const double far = 10 * std::sqrt(diagonal2);
-  for (std::size_t i = 0; i < f.size(); ++i) {
-    bool near = true;
-    for (std::size_t d = 0; d < D; ++d) {
-      const double x = double(f.x[D * i + d]);
-      near &= x > min[d] - far && x < max[d] + far;
-    }
-    if (!near) fail(f.id[i], &f.x[D * i]);  // a NaN is not near either
-  }
-}
-
-void Simulation::Impl::fail(std::uint64_t id, const Real* x) const {
-  const double bound = derived.step_bound();
-  const double dt = time_steps.last;
-  const std::string cause =
-      !scene.time.adaptive && dt > bound
-          ? fmt::format("time.step, {:.4g} s, is over its bound, {:.4g} s; make it smaller", dt,
-                        bound)
-          : "particles came too close; look at the start of the scene, or make time.step smaller";
-  std::string place = fmt::format("{:.4g}, {:.4g}", x[0], x[1]);
-  if (scene.dimension() == 3) place += fmt::format(", {:.4g}", x[2]);
-  throw Error(Error::Kind::run, "",
-              fmt::format("particle {} is lost, at ({}) at step {}, {:.6g} s; {}", id, place, steps,
-                          time, cause));
 }
 
 Frame Simulation::frame() const {
@@ -144,7 +144,7 @@ Frame Simulation::frame() const {
   out.v.resize(D * n);
   out.density.resize(n);
   out.pressure.resize(n);
-  const auto order = order_by_id(f);
+  const auto order = order_by_id(f.id);
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t i = order[k];
     out.id[k] = f.id[i];
@@ -162,11 +162,13 @@ Statistics Simulation::statistics() const {
   const ParticleView f = fluid();
   const Scene& s = scene();
   const double margin = impl_->derived.support_radius, m = impl_->derived.mass;
+  const double rest_density = impl_->derived.rest_density;
   const auto D = std::size_t(f.dimension);
   Statistics out;
   out.momentum.assign(D, 0);
   out.particles = std::int64_t(f.size());
   out.density_min = out.density_max = double(f.density[0]);
+  out.fastest = f.id[0];
   for (std::size_t i = 0; i < f.size(); ++i) {
     double speed2 = 0, potential = 0;
     bool inside = true;
@@ -182,14 +184,20 @@ Statistics Simulation::statistics() const {
     out.density_mean += density;
     out.density_min = std::min(out.density_min, density);
     out.density_max = std::max(out.density_max, density);
+    out.density_error_mean += std::max(0.0, density / rest_density - 1);
     out.speed_mean += speed;
-    out.speed_max = std::max(out.speed_max, speed);
+    if (speed > out.speed_max || (speed == out.speed_max && f.id[i] < out.fastest)) {
+      out.speed_max = speed;
+      out.fastest = f.id[i];
+    }
     out.height_mean += double(f.x[D * i + 1]);
     out.kinetic_energy += m / 2 * speed2;
     out.potential_energy += potential;
   }
   const double n = double(f.size());
   out.density_mean /= n;
+  out.density_error_mean /= n;
+  out.density_error_max = std::max(0.0, out.density_max / rest_density - 1);
   out.speed_mean /= n;
   out.height_mean /= n;
   return out;
@@ -201,7 +209,7 @@ std::string Simulation::state_sha256() const {
   Sha256 sha;
   const auto step = std::uint64_t(impl_->steps);
   sha.add(&step, sizeof step);
-  for (const std::size_t i : order_by_id(f)) {
+  for (const std::size_t i : order_by_id(f.id)) {
     sha.add(&f.id[i], sizeof f.id[i]);
     sha.add(&f.x[i * d], d * sizeof(Real));
     sha.add(&f.v[i * d], d * sizeof(Real));
@@ -209,17 +217,64 @@ std::string Simulation::state_sha256() const {
   return sha.hex();
 }
 
-std::string Simulation::kept_sha256() const {
-  auto fields = impl_->engine->state();
-  std::sort(fields.begin(), fields.end(), [](auto& a, auto& b) { return a.name < b.name; });
-  const auto order = order_by_id(fluid());
-  Sha256 sha;
-  for (const auto& field : fields) {
-    const std::size_t bytes = field.bytes_per_particle();
-    if (field.role != Engine::StateArray::Role::kept) continue;
-    for (const std::size_t i : order) sha.add(field.data + i * bytes, bytes);
+Checkpoint Simulation::checkpoint() const {
+  Impl& i = *impl_;
+  i.health->look_for_lost({i.steps, i.time, i.time_steps.last}, i.engine->fluid());
+  Checkpoint c;
+  c.scene = scene().source;
+  c.steps = impl_->steps;
+  c.time = impl_->time;
+  c.watch = impl_->health->record();
+  c.forces_asked = impl_->forces_asked;
+  c.time_steps = impl_->time_steps;
+  c.walls_sha256 = impl_->state_digest(StateArray::Role::fixed);
+  for (const StateArray& a : impl_->state()) {
+    if (a.role == StateArray::Role::fixed) continue;
+    c.arrays.push_back({a, {a.data, a.data + a.bytes()}});
+    c.arrays.back().data = nullptr;
   }
-  return sha.hex();
+  return c;
 }
+
+void Simulation::restore(const Checkpoint& c) {
+  const auto refuse = [](const std::string& why) {
+    throw Error(Error::Kind::scene, "", "this checkpoint is not of this scene: " + why);
+  };
+  auto state = impl_->state();
+  std::erase_if(state, [](const StateArray& a) { return a.role == StateArray::Role::fixed; });
+  const auto stored = [&](const StateArray& a) {
+    return std::find_if(c.arrays.begin(), c.arrays.end(),
+                        [&](const StateArray& b) { return b.name == a.name; });
+  };
+  for (const StateArray& a : state) {
+    const auto it = stored(a);
+    if (it == c.arrays.end())
+      refuse(fmt::format("it has no {}; was it of another solver?", a.name));
+    if (it->count != a.count)
+      refuse(
+          fmt::format("{} has {} entries there and {} here; was it of another resolution, or "
+                      "has a file of points changed?",
+                      a.name, it->count, a.count));
+    if (it->number != a.number || it->components != a.components)
+      refuse(
+          fmt::format("{} has other numbers there; was it of a build with another "
+                      "FRESHET_DOUBLE, or of another dimension?",
+                      a.name));
+  }
+  if (c.walls_sha256 != impl_->state_digest(StateArray::Role::fixed))
+    refuse("its walls are others; has a file of points changed?");
+  for (const StateArray& a : state) {
+    const auto it = stored(a);
+    std::copy(it->bytes.begin(), it->bytes.end(), a.data);
+  }
+  impl_->engine->continue_from(c.steps);
+  impl_->steps = c.steps;
+  impl_->time = c.time;
+  impl_->health->go_on({c.steps, c.time, c.time_steps.last}, c.watch);
+  impl_->forces_asked = c.forces_asked;
+  impl_->time_steps = c.time_steps;
+}
+
+std::string Simulation::kept_sha256() const { return impl_->state_digest(StateArray::Role::kept); }
 
 }  // namespace freshet

@@ -38,8 +38,8 @@ TEST_P(Help, HasAnExample) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, Help,
-                         testing::Values("", "run", "check", "info", "scenes", "bench", "schema",
-                                         "completion"));
+                         testing::Values("", "run", "check", "info", "scenes", "bench", "plot",
+                                         "schema", "completion"));
 
 TEST(Program, TellsItsVersion) {
   const auto r = freshet({"--version"});
@@ -95,6 +95,17 @@ TEST(Program, InformsAboutTheArticle) {
     EXPECT_TRUE(contains(r.out, std::string("\n  ") + row + " ")) << row << " in\n" << r.out;
   EXPECT_TRUE(contains(r.out, "600 fluid, 154 of them outside")) << r.out;
   EXPECT_TRUE(contains(r.out, "50 for 0.05 s")) << r.out;
+}
+
+TEST(Program, InformsAboutTheDiskThatDataTakes) {
+  const auto disk = [](const std::string& data) {
+    const auto r = freshet({"info", article, "--set", "time.end=0.05", "--set", data});
+    EXPECT_EQ(r.code, 0) << r.err;
+    return r.out.substr(std::min(r.out.find("\n  disk "), r.out.size()));
+  };
+  EXPECT_TRUE(contains(disk("output.data=['ply']"), "; about 43.9 kB for the data of 2"))
+      << disk("output.data=['ply']");
+  EXPECT_FALSE(contains(disk("output.data=[]"), "data of"));
 }
 
 TEST(Overrides, NameTheirKeyInErrors) {
@@ -159,6 +170,8 @@ TEST(Completion, OffersCommandsAndScenes) {
   EXPECT_EQ(offers("inf", "", "1"), "info\n");
   EXPECT_TRUE(contains(offers("run", "artic", "2"), "article"));
   EXPECT_EQ(offers("bench", "--comp", "2"), "--compare\n");
+  EXPECT_EQ(offers("plot", "--agai", "2"), "--against\n");
+  EXPECT_EQ(offers("plot", "artic", "2"), "\n");  // folders, and none is here
 }
 
 Json bench(std::vector<std::string> more) {

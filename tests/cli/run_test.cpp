@@ -113,7 +113,7 @@ TEST(Run, TellsOfParticlesThatAreLost) {
                           "time.end=1e14"});
   EXPECT_EQ(r.code, 1);
   EXPECT_TRUE(r.err.starts_with("error: particle ")) << r.err;
-  for (const char* words : {"at step ", "1e+14 s", "time.step", "over its bound", "smaller"})
+  for (const char* words : {"at step ", "1e+12 s", "time.step", "over its bound", "smaller"})
     EXPECT_TRUE(contains(r.err, words)) << words << " in " << r.err;
   EXPECT_EQ(lines_of(r.err).size(), 1u) << r.err;
   EXPECT_EQ(Json::parse(read_text(folder / "manifest.json")).at("state"), "failed");

@@ -5,10 +5,13 @@
 
 #include <limits>
 
+#include "render/pictures.h"
 #include "render/png.h"
 
 namespace freshet {
 namespace {
+
+using test::flat_scene, test::two_dots;
 
 TEST(SpeedColor, GoesFromBlueOverYellowToRed) {
   EXPECT_EQ((Color{0, 0, 255}), speed_color(0));
@@ -44,6 +47,38 @@ TEST_F(OneDot, MayLieOutsideOrNowhere) {
   const Image empty = draw(100, 100);
   EXPECT_EQ(empty.pixels, draw(-3e30f, 1).pixels);
   EXPECT_EQ(empty.pixels, draw(std::numeric_limits<float>::quiet_NaN(), 1).pixels);
+}
+
+TEST(Dots, ShowTheWindowThatWasAskedFor) {
+  Image all = draw_dots(flat_scene(""), two_dots());
+  Image part = draw_dots(flat_scene("picture.window = [1, 0.25, 2, 0.75]"), two_dots());
+  const Color ground{8, 10, 28};
+  EXPECT_FALSE(all.at(55, 55) == ground);
+  EXPECT_EQ(ground, part.at(55, 55));
+  EXPECT_EQ(all.at(155, 55), part.at(105, 55));
+}
+
+TEST(Dots, AreDiscsOfTheirColorIfSolid) {
+  const std::string white = "picture.background = \"white\"\n";
+  Image image = draw_dots(flat_scene(white + "picture.dots = \"solid\""), two_dots());
+  const Color blue{0, 0, 255}, ground{255, 255, 255};
+  EXPECT_EQ(blue, image.at(55, 55));
+  EXPECT_EQ(blue, image.at(58, 55));  // a spacing is 10 px
+  EXPECT_EQ(ground, image.at(62, 55));
+  image = draw_dots(flat_scene(white + "picture.dots = \"solid\"\npicture.dot_radius = 10"),
+                    two_dots());
+  EXPECT_EQ(blue, image.at(63, 55));
+}
+
+TEST(Dots, StandAmongTheWalls) {
+  Image image = draw_dots(
+      flat_scene("wall = { shape = \"sphere\", center = [1.5, 0.75], radius = 0.1 }"), Frame{});
+  EXPECT_EQ((Color{8, 10, 28}), image.at(155, 50));
+  EXPECT_EQ((Color{128, 126, 122}), image.at(155, 30));
+  image = draw_dots(flat_scene("wall = { shape = \"sphere\", side = \"inside\", center = [1, 0.5], "
+                               "radius = 2 }\nwalls.method = \"reflection\""),
+                    Frame{});
+  EXPECT_EQ((Color{8, 10, 28}), image.at(105, 55));
 }
 
 TEST(Png, GivesBackWhatItWasGiven) {

@@ -71,6 +71,32 @@ TEST_F(PointFile, ReadsCsv) {
   EXPECT_TRUE(read("b.csv", "x,y,z\n1,2,0\n", 2).v.empty());
 }
 
+TEST_F(PointFile, ReadsCsvOfParaView) {
+  const PointCloud cloud = read("a.csv",
+                                "\"velocity:0\",\"velocity:1\",\"velocity:2\",\"label\","
+                                "\"Points:0\",\"Points:1\",\"Points_2\"\n"
+                                "1,2,3,\"a, b\",4,5,6\n");
+  EXPECT_EQ((std::vector<double>{4, 5, 6}), cloud.x);
+  EXPECT_EQ((std::vector<double>{1, 2, 3}), cloud.v);
+  EXPECT_EQ("b.csv:1: error: x is named twice; name every column once",
+            refused("b.csv", "x,Points:0\n"));
+  EXPECT_EQ("c.csv:1: error: there is no x; a 2D scene takes x, y and perhaps vx, vy",
+            refused("c.csv", "Points:3,Points:1\n", 2));
+}
+
+// As Blender 3.4 exports a mesh: normals and faces are passed over.
+TEST_F(PointFile, ReadsPlyOfBlender) {
+  const PointCloud cloud =
+      read("a.ply",
+           "ply\nformat ascii 1.0\ncomment Created by Blender 3.4.1 - www.blender.org\n"
+           "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+           "property float nx\nproperty float ny\nproperty float nz\n"
+           "element face 1\nproperty list uchar uint vertex_indices\nend_header\n"
+           "0.5 0 0 0 0 1\n0 0.5 0 0 0 1\n-0.5 0 0 0 0 1\n3 0 1 2\n");
+  EXPECT_EQ((std::vector<double>{0.5, 0, 0, 0, 0.5, 0, -0.5, 0, 0}), cloud.x);
+  EXPECT_TRUE(cloud.v.empty());
+}
+
 TEST_F(PointFile, TellsWhatIsWrongAndWhere) {
   EXPECT_EQ(
       "a.csv:3: error: value 2 is no number; write numbers like 0.5 or 1e-3, with commas "
@@ -90,7 +116,8 @@ TEST_F(PointFile, TellsWhatIsWrongAndWhere) {
             refused("a.csv", "x,y,z\n1,2,3\n", 2));
   EXPECT_EQ("a.csv: error: there is no point in it; is it the right file?",
             refused("a.csv", "x,y\n", 2));
-  EXPECT_EQ("a.txt: error: not *.ply or *.csv; convert it to one", refused("a.txt", "x,y\n"));
+  EXPECT_EQ("a.txt: error: not *.ply, *.vtp or *.csv; convert it to one",
+            refused("a.txt", "x,y\n"));
   EXPECT_EQ("a.ply:1: error: not PLY: the first line is not \"ply\"; check the file",
             refused("a.ply", "x,y\n1,2\n"));
   EXPECT_EQ("a.ply:3: error: another element stands before the vertices; put them first",

@@ -57,6 +57,32 @@ TEST(Schedule, PlansAsManyFramesAsComeForAnySteps) {
     }
 }
 
+/// The same of data files.
+Steps data_of(const Scene& scene) {
+  const Schedule schedule(scene);
+  Steps steps;
+  const double dt = scene.time.step;
+  for (std::int64_t k = 0; k < scene.steps(); ++k)
+    if (schedule.data_after({k, double(k) * dt, double(k + 1) * dt, k + 1 == scene.steps()}))
+      steps.push_back(k);
+  EXPECT_EQ(std::int64_t(steps.size()), schedule.data_frames());
+  return steps;
+}
+
+TEST(Schedule, WritesDataWithTheFramesOrByItsOwnKeys) {
+  Scene scene = scene_of(1, 0.1);
+  scene.output.frame_every_steps = 4;
+  EXPECT_EQ((Steps{0, 4, 8, 9}), data_of(scene));
+  scene.output.data_every = 0.3;
+  EXPECT_EQ((Steps{0, 2, 5, 8, 9}), data_of(scene));
+  scene.output.data_every.reset();
+  scene.output.data_every_steps = 5;
+  EXPECT_EQ((Steps{0, 5, 9}), data_of(scene));
+  EXPECT_EQ((Steps{0, 4, 8, 9}), frames_of(scene));
+  scene.output.data = {};
+  EXPECT_EQ(Steps{}, data_of(scene));
+}
+
 TEST(Schedule, OfAdaptiveStepsIsInSeconds) {
   Scene scene = scene_of(1, 0);
   scene.time.adaptive = true;

@@ -52,19 +52,19 @@ TEST(AdaptiveStep, KeepsToEachBound) {
       run(scene("name = \"delta_sph\"\nsound_speed = 30.0\n", adaptive + "step_max = 0.0001\n"),
           0.0001);
   EXPECT_EQ((Ruled{{"step_max", 500}}), capped);
-  const Ruled thick = run(scene("name = \"wcsph\"\nsound_speed = 30.0\nartificial_viscosity = 4.0\n",
-                                adaptive + "step_max = 0.01\n"),
-                          0.01);
+  const Ruled thick =
+      run(scene("name = \"wcsph\"\nsound_speed = 30.0\nartificial_viscosity = 4.0\n",
+                adaptive + "step_max = 0.01\n"),
+          0.01);
   EXPECT_GT(thick.at("viscosity"), 50);
-  const Ruled pushed = run(scene("name = \"mueller2003\"\nstiffness = 0.5\n",
-                                 adaptive + "step_max = 0.1\n"),
-                           0.1);
+  const Ruled pushed =
+      run(scene("name = \"mueller2003\"\nstiffness = 0.5\n", adaptive + "step_max = 0.1\n"), 0.1);
   EXPECT_GT(pushed.at("force"), 0);
 }
 
 TEST(AdaptiveStep, IsShorterThanEveryBoundOfTheFormulas) {
-  Simulation sim = simulation_of(scene("name = \"wcsph\"\nsound_speed = 30.0\n",
-                                       "step = \"adaptive\"\nstep_max = 0.01\n"));
+  Simulation sim = simulation_of(
+      scene("name = \"wcsph\"\nsound_speed = 30.0\n", "step = \"adaptive\"\nstep_max = 0.01\n"));
   for (int k = 0; k < 20; ++k) sim.step();
   const TimeStepBounds b = sim.bounds();
   const double h = 0.05;  // half the support

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Every solver with every kernel, integrator and kind of wall, in 2D and 3D: the cpu backend has the
-// reference's bits on every instruction set and on any number of threads, wall forces included.
+// Every solver with every kernel, integrator and kind of wall, in 2D and 3D: the cpu backend has
+// the reference's bits on every instruction set and on any number of threads, wall forces included.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "io/checkpoint.h"
 #include "sim/small_scenes.h"
 
 namespace freshet::test {
@@ -48,11 +49,15 @@ void expect_equal(const Outcome& a, const Outcome& b, const std::string& what) {
   EXPECT_EQ(a.time, b.time) << what;
 }
 
+Outcome outcome_of(Simulation& sim) {
+  const auto forces = sim.wall_forces();
+  return {sim.state_sha256(), sim.kept_sha256(), forces, sim.time()};
+}
+
 Outcome run(const std::string& text, const char* backend, const Execution& execution = {}) {
   Simulation sim = simulation_of(text, backend, execution);
   for (int k = 0; k < 25; ++k) sim.step();
-  const auto forces = sim.wall_forces();
-  return {sim.state_sha256(), sim.kept_sha256(), forces, sim.time()};
+  return outcome_of(sim);
 }
 
 void PrintTo(const Words& w, std::ostream* out) {
@@ -73,6 +78,28 @@ TEST_P(SameBits, AsTheReference) {
     for (const int threads : {7, 3, 2, 1})  // descending: clang's libomp leaks when a team grows
       expect_equal(reference, run(text, "cpu", {threads, isa}),
                    isa + " on " + std::to_string(threads) + " threads\n" + text);
+}
+
+// A checkpoint that went through a file, restored into a fresh simulation on other threads.
+TEST_P(SameBits, AfterARestart) {
+  const std::string text = scene_of(GetParam());
+  const auto steps = [](Simulation& sim, int to) {
+    while (sim.steps_done() < to) sim.step();
+  };
+  for (const char* backend : {"reference", "cpu"}) {
+    Simulation first = simulation_of(text, backend, {2, ""});
+    steps(first, 12);
+    const Checkpoint saved =
+        decode_checkpoint(encode_checkpoint(first.checkpoint()), "a checkpoint");
+    steps(first, 25);
+    Simulation second = simulation_of(text, backend, {1, ""});
+    second.restore(saved);
+    EXPECT_EQ(second.steps_done(), 12);
+    steps(second, 25);
+    expect_equal(outcome_of(first), outcome_of(second), backend);
+    EXPECT_EQ(first.time_steps().ruled, second.time_steps().ruled);
+    EXPECT_EQ(first.time_steps().min, second.time_steps().min);
+  }
 }
 
 constexpr const char* akinci = "[walls]\nmethod = \"akinci2012\"";
@@ -106,30 +133,26 @@ constexpr const char* adaptive = "\"adaptive\"\nstep_max = 0.001";
 
 INSTANTIATE_TEST_SUITE_P(
     In2D, SameBits,
-    ::testing::Values(Words{2, mueller, reflection, "leapfrog"},
-                      Words{2, mueller, ghost, "symplectic_euler"},
-                      Words{2, mueller, periodic_xy, "verlet"},
-                      Words{2, wcsph_cubic, akinci, "symplectic_euler"},
-                      Words{2, wcsph_c2, adami_slips, "leapfrog"},
-                      Words{2, wcsph_c6, monaghan, "verlet"},
-                      Words{2, wcsph_cubic, mixed, "symplectic_euler"},
-                      Words{2, wcsph_c2, periodic_x_samples, "", adaptive},
-                      Words{2, fourtakas_cubic, ghost_slips, "symplectic_euler"},
-                      Words{2, fourtakas_c4, akinci_slips, "leapfrog"},
-                      Words{2, antuono_c2, adami, "verlet"},
-                      Words{2, antuono_c2, periodic_x, "symplectic_euler", adaptive},
-                      Words{2, fourtakas_cubic, mixed, "leapfrog"}));
+    ::testing::Values(
+        Words{2, mueller, reflection, "leapfrog"}, Words{2, mueller, ghost, "symplectic_euler"},
+        Words{2, mueller, periodic_xy, "verlet"}, Words{2, wcsph_cubic, akinci, "symplectic_euler"},
+        Words{2, wcsph_c2, adami_slips, "leapfrog"}, Words{2, wcsph_c6, monaghan, "verlet"},
+        Words{2, wcsph_cubic, mixed, "symplectic_euler"},
+        Words{2, wcsph_c2, periodic_x_samples, "", adaptive},
+        Words{2, fourtakas_cubic, ghost_slips, "symplectic_euler"},
+        Words{2, fourtakas_c4, akinci_slips, "leapfrog"}, Words{2, antuono_c2, adami, "verlet"},
+        Words{2, antuono_c2, periodic_x, "symplectic_euler", adaptive},
+        Words{2, fourtakas_cubic, mixed, "leapfrog"}));
 
-INSTANTIATE_TEST_SUITE_P(
-    In3D, SameBits,
-    ::testing::Values(Words{3, mueller, ghost_slips, "leapfrog"},
-                      Words{3, wcsph_cubic, akinci_slips, "symplectic_euler"},
-                      Words{3, wcsph_c6, ghost, "leapfrog"},
-                      Words{3, wcsph_c2, reflection, "verlet", "0.001"},
-                      Words{3, fourtakas_c4, adami, "leapfrog"},
-                      Words{3, antuono_c2, periodic_x, "symplectic_euler"},
-                      Words{3, fourtakas_cubic, monaghan, "verlet"},
-                      Words{3, fourtakas_cubic, periodic_xyz, "", adaptive}));
+INSTANTIATE_TEST_SUITE_P(In3D, SameBits,
+                         ::testing::Values(Words{3, mueller, ghost_slips, "leapfrog"},
+                                           Words{3, wcsph_cubic, akinci_slips, "symplectic_euler"},
+                                           Words{3, wcsph_c6, ghost, "leapfrog"},
+                                           Words{3, wcsph_c2, reflection, "verlet", "0.001"},
+                                           Words{3, fourtakas_c4, adami, "leapfrog"},
+                                           Words{3, antuono_c2, periodic_x, "symplectic_euler"},
+                                           Words{3, fourtakas_cubic, monaghan, "verlet"},
+                                           Words{3, fourtakas_cubic, periodic_xyz, "", adaptive}));
 
 // A drop a thousand domains away costs neither memory nor bits.
 TEST(FarFlung, HasTheReferencesBits) {

@@ -72,8 +72,7 @@ template <int D> Mueller2003Parameters<D> mueller2003_patch(Integrator integrato
 }
 
 /// The same of the weakly compressible solvers.
-template <int D>
-WeaklyCompressibleParameters<D> weakly_compressible_patch(Integrator integrator) {
+template <int D> WeaklyCompressibleParameters<D> weakly_compressible_patch(Integrator integrator) {
   const Real spacing = Real(0.1);
   WeaklyCompressibleParameters<D> c{};
   c.h = Real(1.2) * spacing;

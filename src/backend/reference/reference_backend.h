@@ -137,7 +137,7 @@ template <int D> class ReferenceBackend {
 
   Search search_;
   NeighborOrder order_;
-  std::vector<Copies<D>> copies_;                          // by set
+  std::vector<Copies<D>> copies_;              // by set
   std::vector<std::vector<Vec<D>>> searched_;  // by set: positions when neighbours were found
   std::map<std::pair<int, int>, NeighborLists<D>> lists_;  // by targets and sources
   std::vector<std::byte> neighbor_memory_, sum_memory_;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// The vertices of a PLY file [Turk 1994]: ascii, or binary of either byte order.
 #include <fmt/format.h>
 
 #include <cstdint>
 #include <cstring>
 
-#include "scene/point_file.h"
+#include "formats/point_sink.h"
 
 namespace freshet {
 namespace {
@@ -36,65 +35,62 @@ struct Header {
   std::size_t bytes_per_vertex = 0;
 };
 
-std::string_view take_word(std::string_view& line) {
-  line = trimmed(line);
-  const auto end = std::min(line.find_first_of(" \t"), line.size());
-  const std::string_view word = line.substr(0, end);
-  line.remove_prefix(end);
-  return word;
-}
-
-Format read_format(std::string_view words, const PointColumns& columns) {
+Format read_format(std::string_view words, const PointSink& sink) {
   const std::string_view name = take_word(words);
   if (name == "ascii") return Format::ascii;
   if (name == "binary_little_endian") return Format::little;
   if (name == "binary_big_endian") return Format::big;
-  columns.fail("an unknown format; save it as ascii or binary_little_endian PLY");
+  sink.fail("an unknown format; save it as ascii or binary_little_endian PLY");
 }
 
-std::uint64_t read_count(std::string_view word, const PointColumns& columns) {
-  std::uint64_t n = 0;
-  const auto [end, ec] = std::from_chars(word.data(), word.data() + word.size(), n);
-  if (ec != std::errc() || end != word.data() + word.size() || word.empty())
-    columns.fail("the number of vertices is missing; save the file again");
-  return n;
+std::uint64_t read_count(std::string_view word, const PointSink& sink) {
+  const auto n = count_in(word);
+  if (!n) sink.fail("the number of vertices is missing; save the file again");
+  return *n;
 }
 
-Header read_header(std::string_view& bytes, PointColumns& columns) {
+/// "comment time 0.5" is a note; other comments are passed over.
+void read_comment(std::string_view words, PointSink& sink) {
+  const std::string_view name = take_word(words);
+  if (const auto value = number_in(trimmed(words))) sink.note(name, *value);
+}
+
+Header read_header(std::string_view& bytes, PointSink& sink) {
   Header h;
   bool has_format = false, in_vertex = false, has_vertex = false;
-  columns.line = 1;
+  sink.line = 1;
   if (trimmed(take_line(bytes)) != "ply")
-    columns.fail("not PLY: the first line is not \"ply\"; check the file");
+    sink.fail("not PLY: the first line is not \"ply\"; check the file");
   while (!bytes.empty()) {
     std::string_view line = take_line(bytes);
-    ++columns.line;
+    ++sink.line;
     const std::string_view key = take_word(line);
     if (key == "end_header") {
       if (!has_format || !has_vertex)
-        columns.fail("the header has no format or no vertices; save the file again");
-      columns.check();
+        sink.fail("the header has no format or no vertices; save the file again");
+      sink.check();
       return h;
     }
-    if (key == "format") {
-      h.format = read_format(line, columns);
+    if (key == "comment") read_comment(line, sink);
+    else if (key == "format") {
+      h.format = read_format(line, sink);
       has_format = true;
     } else if (key == "element") {
       in_vertex = take_word(line) == "vertex";
       if (!in_vertex && !has_vertex)
-        columns.fail("another element stands before the vertices; put them first");
-      if (in_vertex) h.vertices = read_count(take_word(line), columns);
+        sink.fail("another element stands before the vertices; put them first");
+      if (in_vertex) h.vertices = read_count(take_word(line), sink);
       has_vertex = true;
     } else if (key == "property" && in_vertex) {
       const Type type = type_of(take_word(line));
       if (type.bytes == 0)
-        columns.fail("a vertex has a list or a property of unknown type; save it without");
-      columns.name(std::string(take_word(line)), h.types.size());
+        sink.fail("a vertex has a list or a property of unknown type; save it without");
+      sink.name(std::string(take_word(line)), h.types.size());
       h.types.push_back(type);
       h.bytes_per_vertex += type.bytes;
     }
   }
-  columns.fail("the header has no end; the file is cut off");
+  sink.fail("the header has no end; the file is cut off");
 }
 
 template <class T> double as(const unsigned char* bytes) {
@@ -114,46 +110,44 @@ double binary_number(const char* at, Type type, bool big) {
   return has_sign ? as<std::int32_t>(bytes) : as<std::uint32_t>(bytes);
 }
 
-void read_ascii(std::string_view line, std::vector<double>& values, const PointColumns& columns) {
+void read_ascii(std::string_view line, std::vector<double>& values, const PointSink& sink) {
   for (double& value : values) {
     const auto number = number_in(take_word(line));
     if (!number)
-      columns.fail(fmt::format("not {} numbers, which the header asks for; the file is damaged",
-                               values.size()));
+      sink.fail(fmt::format("not {} numbers, which the header asks for; the file is damaged",
+                            values.size()));
     value = *number;
   }
 }
 
 }  // namespace
 
-PointCloud read_ply(std::string_view bytes, PointColumns& columns) {
-  const Header h = read_header(bytes, columns);
+void read_ply(std::string_view bytes, PointSink& sink) {
+  const Header h = read_header(bytes, sink);
   const bool ascii = h.format == Format::ascii;
   // an ascii vertex takes two characters a number, or more; the last of them may be missing
   const std::size_t least = ascii ? 2 * h.types.size() : h.bytes_per_vertex;
   if (h.vertices > (bytes.size() + ascii) / least) {
-    columns.line = 0;
-    columns.fail(
+    sink.line = 0;
+    sink.fail(
         fmt::format("the header tells of {} vertices, and the file ends before; it is "
                     "cut off",
                     h.vertices));
   }
-  PointCloud cloud;
   std::vector<double> values(h.types.size());
   for (std::uint64_t k = 0; k < h.vertices; ++k) {
     if (ascii) {
-      ++columns.line;
-      read_ascii(take_line(bytes), values, columns);
+      ++sink.line;
+      read_ascii(take_line(bytes), values, sink);
     } else {
-      columns.line = 0;
+      sink.line = 0;
       for (std::size_t p = 0; p < values.size(); ++p) {
         values[p] = binary_number(bytes.data(), h.types[p], h.format == Format::big);
         bytes.remove_prefix(h.types[p].bytes);
       }
     }
-    columns.add(values, cloud);
+    sink.add(values);
   }
-  return cloud;
 }
 
 }  // namespace freshet

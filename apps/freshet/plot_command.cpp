@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "freshet/plot.h"
+
+#include <fmt/format.h>
+
+#include "command.h"
+
+namespace freshet::cli {
+namespace {
+
+struct PlotArguments {
+  std::string run, output;
+  std::vector<std::string> columns, against;
+};
+
+/// A column may be named with its unit, as the file does.
+std::string without_unit(const std::string& column) {
+  const auto unit = column.rfind(" [");
+  return unit != std::string::npos && column.ends_with(']') ? column.substr(0, unit) : column;
+}
+
+void draw(const PlotArguments& a) {
+  PlotOptions options;
+  options.run = a.run;
+  options.output = a.output;
+  options.against.assign(a.against.begin(), a.against.end());
+  for (const std::string& column : a.columns) options.columns.push_back(without_unit(column));
+  for (const auto& file : plot(options)) fmt::print("wrote {}\n", file.string());
+}
+
+}  // namespace
+
+void add_plot(CLI::App& app, int& code) {
+  const auto a = std::make_shared<PlotArguments>();
+  CLI::App* command = app.add_subcommand("plot", "Draw a run's observables over its time");
+  command->add_option("DIR", a->run, "the folder of a run")->required();
+  command
+      ->add_option("--columns", a->columns,
+                   "what to draw: columns of observables.csv, with commas between them "
+                   "(default: all that matter)")
+      ->delimiter(',');
+  command->add_option("--output", a->output,
+                      "FILE.svg, FILE.png, or a folder for both (default: DIR/plots)");
+  command->add_option("--against", a->against, "other runs to compare it with (at most 3)");
+  command->footer(
+      "Examples:\n  freshet plot runs/dam_break_2d\n"
+      "  freshet plot runs/a --against runs/b --columns \"speed max,total energy\" "
+      "--output speed.svg");
+  command->callback([a, &code] {
+    draw(*a);
+    code = done;
+  });
+}
+
+}  // namespace freshet::cli

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#include "formats/point_sink.h"
+
+#include <fmt/format.h>
+
+#include "freshet/error.h"
+
+namespace freshet {
+
+void PointSink::fail(const std::string& why) const {
+  throw Error(Error::Kind::scene, line ? fmt::format("{}:{}", file_, line) : file_, why);
+}
+
+}  // namespace freshet

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+#include "io/checkpoint.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <sstream>
+#include <stdexcept>
+
+#include "freshet/error.h"
+#include "freshet/version.h"
+#include "io/hdf5.h"
+#include "io/sha256.h"
+
+namespace freshet {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The format changes with whatever makes an older program misread a newer file, or the reverse.
+constexpr int format = 1;
+constexpr std::string_view magic = "Freshet checkpoint\n";
+constexpr std::size_t block = 512;  // HDF5 looks for itself at 0, 512, 1024 ...
+const std::string no_digest(64, '0');
+
+/// JSON has no infinity.
+double finite(double x) {
+  constexpr double most = std::numeric_limits<double>::max();
+  return std::isnan(x) ? most : std::clamp(x, -most, most);
+}
+
+constexpr const char* number_words[] = {"int32", "uint64", "float32", "float64"};
+
+StateArray::Number number_of(const std::string& word) {
+  const auto it = std::find(std::begin(number_words), std::end(number_words), word);
+  if (it == std::end(number_words)) throw std::runtime_error("no such numbers: " + word);
+  return StateArray::Number(it - std::begin(number_words));
+}
+
+/// f with a number of the array's kind.
+template <class F> void with_number(StateArray::Number number, F f) {
+  switch (number) {
+    case StateArray::Number::int32:
+      return f(std::int32_t());
+    case StateArray::Number::uint64:
+      return f(std::uint64_t());
+    case StateArray::Number::float32:
+      return f(float());
+    case StateArray::Number::float64:
+      return f(double());
+  }
+}
+
+void write_array(Hdf5Writer& file, const Checkpoint::Array& a) {
+  with_number(a.number, [&](auto number) {
+    using T = decltype(number);
+    file.write(a.name,
+               std::span(reinterpret_cast<const T*>(a.bytes.data()), a.bytes.size() / sizeof(T)),
+               std::size_t(a.components));
+  });
+}
+
+void read_array(const Hdf5Reader& file, Checkpoint::Array& a) {
+  with_number(a.number, [&](auto number) {
+    std::vector<decltype(number)> values;
+    file.read(a.name, values);
+    const auto bytes = std::as_bytes(std::span(values));
+    a.bytes.assign(bytes.begin(), bytes.end());
+  });
+  if (a.bytes.size() != a.StateArray::bytes()) throw std::runtime_error("sizes differ: " + a.name);
+}
+
+Json json_of(const WatchRecord& w) {
+  Json warnings = Json::array();
+  for (std::size_t k = 0; k < w.warnings.size(); ++k) {
+    const Warning& a = w.warnings[k];
+    warnings.push_back({{"kind", a.kind},
+                        {"message", a.message},
+                        {"first_step", a.first_step},
+                        {"last_step", a.last_step},
+                        {"worst_step", a.worst_step},
+                        {"first_time", a.first_time},
+                        {"looks", a.looks},
+                        {"worst", finite(a.worst)},
+                        {"bound", a.bound},
+                        {"cannot_be_right", a.cannot_be_right},
+                        {"lasting", w.tracks[k].lasting},
+                        {"fatal", w.tracks[k].fatal},
+                        {"steps", w.tracks[k].steps}});
+  }
+  const WatchRecord::Densest& d = w.first_densest;
+  return {{"warnings", warnings},
+          {"steps_watched", w.steps_watched},
+          {"first_step", w.first_step},
+          {"first_compression", finite(w.first_compression)},
+          {"first_bound", finite(w.first_bound)},
+          {"first_densest", {{"id", d.id}, {"x", d.x}, {"value", finite(d.value)}}}};
+}
+
+void read_json(const Json& json, WatchRecord& w) {
+  for (const Json& entry : json.at("warnings")) {
+    Warning a;
+    entry.at("kind").get_to(a.kind);
+    entry.at("message").get_to(a.message);
+    entry.at("first_step").get_to(a.first_step);
+    entry.at("last_step").get_to(a.last_step);
+    entry.at("worst_step").get_to(a.worst_step);
+    entry.at("first_time").get_to(a.first_time);
+    entry.at("looks").get_to(a.looks);
+    entry.at("worst").get_to(a.worst);
+    entry.at("bound").get_to(a.bound);
+    entry.at("cannot_be_right").get_to(a.cannot_be_right);
+    w.warnings.push_back(a);
+    w.tracks.push_back({entry.at("lasting"), entry.at("fatal"), entry.at("steps")});
+  }
+  json.at("steps_watched").get_to(w.steps_watched);
+  json.at("first_step").get_to(w.first_step);
+  json.at("first_compression").get_to(w.first_compression);
+  json.at("first_bound").get_to(w.first_bound);
+  const Json& d = json.at("first_densest");
+  w.first_densest = {d.at("id"), d.at("x"), d.at("value")};
+}
+
+Json json_of(const Checkpoint& c) {
+  Json arrays = Json::array();
+  for (const Checkpoint::Array& a : c.arrays)
+    arrays.push_back({{"name", a.name},
+                      {"count", a.count},
+                      {"components", a.components},
+                      {"number", number_words[int(a.number)]}});
+  return {{"steps", c.steps},
+          {"time", c.time},
+          {"forces_asked", c.forces_asked},
+          {"walls_sha256", c.walls_sha256},
+          {"watch", json_of(c.watch)},
+          {"time_steps",
+           {{"last", c.time_steps.last},
+            {"min", c.time_steps.min},
+            {"max", c.time_steps.max},
+            {"last_ruled", c.time_steps.last_ruled},
+            {"ruled", c.time_steps.ruled}}},
+          {"scene_name", c.run.scene_name},
+          {"observed_step", c.run.observed_step},
+          {"frame_step", c.run.frame_step},
+          {"data_step", c.run.data_step},
+          {"scheduled_frames", c.run.scheduled_frames},
+          {"scheduled_data", c.run.scheduled_data},
+          {"scheduled_observables", c.run.scheduled_observables},
+          {"frames", c.run.frames},
+          {"data_times", c.run.data_times},
+          {"seconds", c.run.seconds},
+          {"observables", c.run.observables},
+          {"wall_forces", c.run.wall_forces},
+          {"arrays", arrays}};
+}
+
+void read_json(const Json& json, Checkpoint& c) {
+  json.at("steps").get_to(c.steps);
+  json.at("time").get_to(c.time);
+  json.at("forces_asked").get_to(c.forces_asked);
+  read_json(json.at("watch"), c.watch);
+  json.at("walls_sha256").get_to(c.walls_sha256);
+  const Json& steps = json.at("time_steps");
+  steps.at("last").get_to(c.time_steps.last);
+  steps.at("min").get_to(c.time_steps.min);
+  steps.at("max").get_to(c.time_steps.max);
+  steps.at("last_ruled").get_to(c.time_steps.last_ruled);
+  steps.at("ruled").get_to(c.time_steps.ruled);
+  json.at("scene_name").get_to(c.run.scene_name);
+  json.at("observed_step").get_to(c.run.observed_step);
+  json.at("frame_step").get_to(c.run.frame_step);
+  json.at("data_step").get_to(c.run.data_step);
+  json.at("scheduled_frames").get_to(c.run.scheduled_frames);
+  json.at("scheduled_data").get_to(c.run.scheduled_data);
+  json.at("scheduled_observables").get_to(c.run.scheduled_observables);
+  json.at("frames").get_to(c.run.frames);
+  json.at("data_times").get_to(c.run.data_times);
+  json.at("seconds").get_to(c.run.seconds);
+  json.at("observables").get_to(c.run.observables);
+  json.at("wall_forces").get_to(c.run.wall_forces);
+  for (const Json& a : json.at("arrays"))
+    c.arrays.push_back({{a.at("name"), nullptr, a.at("count"), a.at("components"),
+                         number_of(a.at("number")), StateArray::Role::other},
+                        {}});
+}
+
+/// The block before the HDF5, as long as every block.
+std::string header(int file_format, std::string_view version, std::size_t bytes,
+                   const std::string& digest) {
+  std::string text = fmt::format("{}format {}\nversion {}\nbytes {}\nsha256 {}\n", magic,
+                                 file_format, version, bytes, digest);
+  text.resize(block, '\n');
+  return text;
+}
+
+std::string digest_of(std::string_view head, std::string_view body) {
+  Sha256 sha;
+  sha.add(head.data(), head.size());
+  sha.add(body.data(), body.size());
+  return sha.hex();
+}
+
+struct Header {
+  int format = 0;
+  std::string version, digest;
+  std::size_t bytes = 0;
+};
+
+std::optional<Header> parse_header(std::string_view bytes) {
+  if (!bytes.starts_with(magic)) return {};
+  std::istringstream in{std::string(bytes.substr(magic.size(), block - magic.size()))};
+  Header h;
+  std::string words[4];
+  if (!(in >> words[0] >> h.format >> words[1] >> h.version >> words[2] >> h.bytes >> words[3] >>
+        h.digest))
+    return {};
+  const bool known =
+      words[0] == "format" && words[1] == "version" && words[2] == "bytes" && words[3] == "sha256";
+  return known ? std::optional(h) : std::nullopt;
+}
+
+[[noreturn]] void fail(const std::string& file, const std::string& why) {
+  throw Error(Error::Kind::run, file, why);
+}
+
+/// What the digest has vouched for.
+Checkpoint read_body(std::string_view body, const std::string& file_name) {
+  Checkpoint c;
+  const Hdf5Reader file(body, file_name);
+  c.scene = file.read_text("scene.toml");
+  read_json(Json::parse(file.read_text("run.json")), c);
+  for (Checkpoint::Array& a : c.arrays) read_array(file, a);
+  return c;
+}
+
+}  // namespace
+
+std::string encode_checkpoint(const Checkpoint& c) {
+  Hdf5Writer file;
+  file.write_text("scene.toml", c.scene);
+  file.write_text("run.json", json_of(c).dump(2));
+  for (const Checkpoint::Array& a : c.arrays) write_array(file, a);
+  const std::string body = file.bytes();
+  const std::size_t size = block + body.size();
+  const std::string digest = digest_of(header(format, FRESHET_VERSION, size, no_digest), body);
+  return header(format, FRESHET_VERSION, size, digest) + body;
+}
+
+Checkpoint decode_checkpoint(std::string_view bytes, const std::string& file) {
+  if (bytes.size() < block && magic.starts_with(bytes.substr(0, magic.size())))
+    fail(file, fmt::format("this checkpoint is torn: {} bytes of it are here", bytes.size()));
+  const auto h = parse_header(bytes);
+  if (!h) fail(file, "this is no checkpoint of Freshet, or its first bytes are damaged");
+  if (h->format != format)
+    fail(file,
+         fmt::format("this checkpoint has format {}, written by Freshet {}; this program, Freshet "
+                     "{}, reads format {}; go on with that version",
+                     h->format, h->version, FRESHET_VERSION, format));
+  if (bytes.size() < h->bytes)
+    fail(file, fmt::format("this checkpoint is torn: {} of its {} bytes are here", bytes.size(),
+                           h->bytes));
+  const std::string_view body = bytes.substr(block);
+  if (bytes.substr(0, block) != header(h->format, h->version, bytes.size(), h->digest) ||
+      h->digest != digest_of(header(h->format, h->version, h->bytes, no_digest), body))
+    fail(file, "this checkpoint is damaged: its bytes are not those that its SHA-256 was made of");
+  try {
+    return read_body(body, file);
+  } catch (const std::exception& e) {  // no torn file: the digest is right
+    fail(file,
+         std::string("this checkpoint has another content than its format asks for: ") + e.what());
+  }
+}
+
+Checkpoint read_checkpoint(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (!in || !(text << in.rdbuf()))
+    fail(file.string(), "cannot be read; check its permissions, or name another checkpoint");
+  return decode_checkpoint(text.view(), file.string());
+}
+
+std::vector<std::filesystem::path> checkpoints_of(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "checkpoints", none)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("step_") && name.ends_with(".h5")) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end(), std::greater<>());
+  return files;
+}
+
+}  // namespace freshet

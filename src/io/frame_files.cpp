@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "io/frame_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "formats/point_sink.h"
+#include "freshet/error.h"
+#include "io/frame_hdf5.h"
+
+namespace freshet {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Makes a frame of what a parser finds.
+class FrameColumns final : public PointSink {
+ public:
+  explicit FrameColumns(std::string file) : PointSink(std::move(file)) {}
+
+  void name(const std::string& column, std::size_t place) override {
+    const auto known = std::find(std::begin(names), std::end(names), column);
+    if (known == std::end(names)) return;
+    auto& at = place_[known - std::begin(names)];
+    if (at >= 0) fail(fmt::format("{} is named twice; name every column once", column));
+    at = std::ptrdiff_t(place);
+  }
+  void check() const override {
+    if (place_[0] < 0 || place_[1] < 0) fail("there is no x or no y; is it the right file?");
+    if (given_dimension_ == 3 && place_[2] < 0) fail("there is no z; the file is damaged");
+  }
+  bool reads(std::size_t place) const override {
+    return std::find(std::begin(place_), std::end(place_), std::ptrdiff_t(place)) !=
+           std::end(place_);
+  }
+  void note(std::string_view word, double value) override {
+    if (word == "time") frame_.time = finite(value);
+    if (word == "step") frame_.step = std::int64_t(whole(value));
+    if (word == "dimension") {
+      if (value != 2 && value != 3) fail("its dimension is neither 2 nor 3; the file is damaged");
+      given_dimension_ = int(value);
+    }
+  }
+  void add(const std::vector<double>& values) override;
+  Frame take() {
+    frame_.dimension = dimension();
+    return std::move(frame_);
+  }
+
+ private:
+  static constexpr const char* names[] = {"x",       "y",        "z",  "vx",   "vy",  "vz",
+                                          "density", "pressure", "id", "step", "time"};
+  int dimension() const { return given_dimension_ ? given_dimension_ : place_[2] < 0 ? 2 : 3; }
+  double finite(double value) const {
+    if (!(std::abs(value) <= 3e38))  // NaN too
+      fail(fmt::format("a number is {}; the file is damaged", value));
+    return value;
+  }
+  double whole(double value) const {
+    if (!(value >= 0 && value <= 9007199254740992.0 && value == std::floor(value)))
+      fail(fmt::format("an id or a step is {}, and they are whole numbers; the file is damaged",
+                       value));
+    return value;
+  }
+
+  Frame frame_;
+  int given_dimension_ = 0;
+  std::ptrdiff_t place_[std::size(names)] = {-1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
+};
+
+void FrameColumns::add(const std::vector<double>& values) {
+  const auto has = [&](int k) { return place_[k] >= 0; };
+  const auto value = [&](int k) { return has(k) ? finite(values[std::size_t(place_[k])]) : 0.0; };
+  const std::size_t i = frame_.size();
+  for (int k = 0; k < dimension(); ++k) {
+    frame_.x.push_back(float(value(k)));
+    frame_.v.push_back(float(value(3 + k)));
+  }
+  frame_.density.push_back(float(value(6)));
+  frame_.pressure.push_back(float(value(7)));
+  frame_.id.push_back(has(8) ? std::uint64_t(whole(value(8))) : i);
+  if (has(9)) frame_.step = std::int64_t(whole(value(9)));
+  if (has(10)) frame_.time = value(10);
+}
+
+constexpr const char* extensions[] = {".h5", ".vtp", ".ply", ".csv"};
+
+bool is_frame(const fs::path& file, const std::string& extension) {
+  return file.extension() == extension && file.stem().string().starts_with("frame_");
+}
+
+}  // namespace
+
+std::vector<fs::path> frame_files(const fs::path& run_folder) {
+  for (const char* extension : extensions) {
+    std::vector<fs::path> files;
+    std::error_code ec;  // no folder: no files
+    for (const auto& entry : fs::directory_iterator(run_folder / "data", ec))
+      if (is_frame(entry.path(), extension)) files.push_back(entry.path());
+    std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+      const std::string p = a.filename().string(), q = b.filename().string();
+      return p.size() != q.size() ? p.size() < q.size() : p < q;  // frame_9999, frame_10000
+    });
+    if (!files.empty()) return files;
+  }
+  return {};
+}
+
+Frame frame_in(std::string_view bytes, const fs::path& file) {
+  const std::string extension = file.extension().string();
+  if (extension == ".h5") return decode_hdf5(bytes, file.string());
+  FrameColumns columns(file.string());
+  if (extension == ".vtp") read_vtp(bytes, columns);
+  else if (extension == ".ply") read_ply(bytes, columns);
+  else if (extension == ".csv") {
+    if (!bytes.empty() && !bytes.ends_with('\n'))
+      columns.fail("the last line has no end; the file is cut off");
+    read_csv(bytes, columns);
+  } else columns.fail("not *.h5, *.vtp, *.ply or *.csv; name a data file of a run");
+  return columns.take();
+}
+
+Frame read_frame(const fs::path& file) {
+  std::error_code ec;
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream bytes;
+  if (!in || !fs::is_regular_file(file, ec) || !(bytes << in.rdbuf()))
+    throw Error(Error::Kind::scene, file.string(),
+                "cannot be read; is it there, not empty, and yours to read?");
+  return frame_in(std::move(bytes).str(), file);
+}
+
+}  // namespace freshet

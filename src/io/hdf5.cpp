@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+#include "io/hdf5.h"
+
+#include <fmt/format.h>
+
+#include "freshet/error.h"
+
+namespace freshet {
+namespace {
+
+constexpr std::size_t increment = 1 << 16;    // by which a file in memory grows
+constexpr const char* in_memory = "freshet";  // its name, which no disk sees
+
+std::recursive_mutex& library() {
+  static std::recursive_mutex mutex;
+  return mutex;
+}
+
+void require(bool good) {
+  if (!good) throw Error(Error::Kind::run, "", "HDF5 cannot make a file; is memory left?");
+}
+
+/// Files in memory that never reach a disk by themselves.
+Hdf5Handle access_in_memory() {
+  Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  require(access.good() && H5Pset_fapl_core(access.get(), increment, false) >= 0);
+  return access;
+}
+
+hid_t create_file() {
+  const Hdf5Handle access = access_in_memory();
+  const hid_t file = H5Fcreate(in_memory, H5F_ACC_TRUNC, H5P_DEFAULT, access.get());
+  require(file >= 0);
+  return file;
+}
+
+/// -1 if the bytes are no file.
+hid_t open_file(std::string_view bytes) {
+  const Hdf5Handle access = access_in_memory();
+  if (bytes.empty()) return -1;
+  void* image = const_cast<char*>(bytes.data());  // copied, never written
+  require(H5Pset_file_image(access.get(), image, bytes.size()) >= 0);
+  return H5Fopen(in_memory, H5F_ACC_RDONLY, access.get());
+}
+
+/// IEEE 754 binary16: 1 sign bit, 5 of the exponent, 10 of the mantissa.
+Hdf5Handle half_type() {
+  Hdf5Handle type(H5Tcopy(H5T_IEEE_F32LE), H5Tclose);
+  require(type.good() && H5Tset_fields(type.get(), 15, 10, 5, 0, 10) >= 0 &&
+          H5Tset_size(type.get(), 2) >= 0 && H5Tset_ebias(type.get(), 15) >= 0);
+  return type;
+}
+
+/// A place for data; the groups in its name are made, and no time of making is noted.
+Hdf5Handle make_data(const Hdf5Handle& file, const std::string& name, hid_t type,
+                     const Hdf5Handle& space) {
+  const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  require(links.good() && H5Pset_create_intermediate_group(links.get(), 1) >= 0);
+  require(creation.good() && H5Pset_obj_track_times(creation.get(), false) >= 0);
+  Hdf5Handle data(H5Dcreate2(file.get(), name.c_str(), type, space.get(), links.get(),
+                             creation.get(), H5P_DEFAULT),
+                  H5Dclose);
+  require(data.good());
+  return data;
+}
+
+Hdf5Handle text_type(std::size_t size) {
+  Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  require(type.good() && H5Tset_size(type.get(), size + 1) >= 0 &&
+          H5Tset_cset(type.get(), H5T_CSET_UTF8) >= 0);
+  return type;
+}
+
+}  // namespace
+
+Hdf5Lock::Hdf5Lock() : lock_(library()) { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+Hdf5Writer::Hdf5Writer() : file_(create_file(), H5Fclose) {}
+
+void Hdf5Writer::write(const std::string& name, hid_t memory, hid_t stored, const void* values,
+                       std::size_t count, std::size_t columns) {
+  const hsize_t extents[] = {count / columns, columns};
+  const Hdf5Handle space(H5Screate_simple(columns > 1 ? 2 : 1, extents, nullptr), H5Sclose);
+  require(space.good());
+  const Hdf5Handle data = make_data(file_, name, stored, space);
+  if (count > 0) require(H5Dwrite(data.get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
+}
+
+void Hdf5Writer::write(const std::string& name, std::span<const float> values, std::size_t columns,
+                       Hdf5Float stored) {
+  if (stored == Hdf5Float::single)
+    return write(name, H5T_NATIVE_FLOAT, H5T_IEEE_F32LE, values.data(), values.size(), columns);
+  const Hdf5Handle half = half_type();
+  write(name, H5T_NATIVE_FLOAT, half.get(), values.data(), values.size(), columns);
+}
+void Hdf5Writer::write(const std::string& name, std::span<const double> values,
+                       std::size_t columns) {
+  write(name, H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, values.data(), values.size(), columns);
+}
+void Hdf5Writer::write(const std::string& name, std::span<const std::int32_t> values,
+                       std::size_t columns) {
+  write(name, H5T_NATIVE_INT32, H5T_STD_I32LE, values.data(), values.size(), columns);
+}
+void Hdf5Writer::write(const std::string& name, std::span<const std::int64_t> values,
+                       std::size_t columns) {
+  write(name, H5T_NATIVE_INT64, H5T_STD_I64LE, values.data(), values.size(), columns);
+}
+void Hdf5Writer::write(const std::string& name, std::span<const std::uint64_t> values,
+                       std::size_t columns) {
+  write(name, H5T_NATIVE_UINT64, H5T_STD_U64LE, values.data(), values.size(), columns);
+}
+
+void Hdf5Writer::write_text(const std::string& name, const std::string& text) {
+  const Hdf5Handle type = text_type(text.size());
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  require(space.good());
+  const Hdf5Handle data = make_data(file_, name, type.get(), space);
+  require(H5Dwrite(data.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()) >= 0);
+}
+
+void Hdf5Writer::attribute(const std::string& name, const std::string& key, hid_t memory,
+                           hid_t stored, const void* value) {
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  require(space.good());
+  const Hdf5Handle attribute(H5Acreate_by_name(file_.get(), name.c_str(), key.c_str(), stored,
+                                               space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                             H5Aclose);
+  require(attribute.good() && H5Awrite(attribute.get(), memory, value) >= 0);
+}
+
+void Hdf5Writer::attribute(const std::string& name, const std::string& key, double value) {
+  attribute(name, key, H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, &value);
+}
+void Hdf5Writer::attribute(const std::string& name, const std::string& key, std::int64_t value) {
+  attribute(name, key, H5T_NATIVE_INT64, H5T_STD_I64LE, &value);
+}
+void Hdf5Writer::attribute(const std::string& name, const std::string& key,
+                           const std::string& value) {
+  const Hdf5Handle type = text_type(value.size());
+  attribute(name, key, type.get(), type.get(), value.c_str());
+}
+
+std::string Hdf5Writer::bytes() {
+  require(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL) >= 0);
+  const ssize_t size = H5Fget_file_image(file_.get(), nullptr, 0);
+  require(size > 0);
+  std::string all(std::size_t(size), '\0');
+  require(H5Fget_file_image(file_.get(), all.data(), all.size()) == size);
+  return all;
+}
+
+Hdf5Reader::Hdf5Reader(std::string_view bytes, std::string place)
+    : place_(std::move(place)), file_(open_file(bytes), H5Fclose), size_(bytes.size()) {
+  if (!file_.good()) fail("not a whole HDF5 file; is it cut off, or of another kind?");
+}
+
+void Hdf5Reader::fail(const std::string& why) const {
+  throw Error(Error::Kind::scene, place_, why);
+}
+
+bool Hdf5Reader::has(const std::string& name) const {
+  return H5Lexists(file_.get(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+namespace {
+
+/// The extents of a list or a table; empty of anything else.
+std::vector<hsize_t> extents_of(hid_t data) {
+  const Hdf5Handle space(H5Dget_space(data), H5Sclose);
+  const int rank = space.good() ? H5Sget_simple_extent_ndims(space.get()) : -1;
+  if (rank != 1 && rank != 2) return {};
+  std::vector<hsize_t> extents(std::size_t(rank), 0);
+  H5Sget_simple_extent_dims(space.get(), extents.data(), nullptr);
+  return extents;
+}
+
+bool holds_numbers(hid_t data) {
+  const Hdf5Handle type(H5Dget_type(data), H5Tclose);
+  if (!type.good()) return false;
+  const H5T_class_t kind = H5Tget_class(type.get());
+  return kind == H5T_INTEGER || kind == H5T_FLOAT;
+}
+
+}  // namespace
+
+std::size_t Hdf5Reader::columns(const std::string& name) const {
+  const Hdf5Handle data(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  const auto extents = data.good() ? extents_of(data.get()) : std::vector<hsize_t>();
+  if (extents.empty())
+    fail(fmt::format("there is no list or table \"{}\" in it; is it the right file?", name));
+  return extents.size() == 2 ? extents[1] : 1;
+}
+
+template <class T>
+void Hdf5Reader::read_as(const std::string& name, hid_t memory, std::vector<T>& v) const {
+  const std::size_t per = columns(name);
+  const Hdf5Handle data(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!holds_numbers(data.get()))
+    fail(fmt::format("\"{}\" does not hold numbers; is it the right file?", name));
+  const std::size_t rows = extents_of(data.get())[0];
+  // what is compressed may be larger than the file, but by how much has a bound
+  constexpr std::size_t most_deflated = 1032;
+  if (per > 0 && rows > size_ * most_deflated / per)
+    fail(fmt::format("\"{}\" is larger than the file; it is damaged", name));
+  v.resize(rows * per);
+  if (v.empty()) return;
+  if (H5Dread(data.get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, v.data()) < 0)
+    fail(fmt::format("\"{}\" cannot be read; the file is damaged or cut off", name));
+}
+
+void Hdf5Reader::read(const std::string& name, std::vector<float>& v) const {
+  read_as(name, H5T_NATIVE_FLOAT, v);
+}
+void Hdf5Reader::read(const std::string& name, std::vector<double>& v) const {
+  read_as(name, H5T_NATIVE_DOUBLE, v);
+}
+void Hdf5Reader::read(const std::string& name, std::vector<std::int32_t>& v) const {
+  read_as(name, H5T_NATIVE_INT32, v);
+}
+void Hdf5Reader::read(const std::string& name, std::vector<std::int64_t>& v) const {
+  read_as(name, H5T_NATIVE_INT64, v);
+}
+void Hdf5Reader::read(const std::string& name, std::vector<std::uint64_t>& v) const {
+  read_as(name, H5T_NATIVE_UINT64, v);
+}
+
+std::string Hdf5Reader::read_text(const std::string& name) const {
+  const Hdf5Handle data(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Hdf5Handle type(data.good() ? H5Dget_type(data.get()) : -1, H5Tclose);
+  const bool is_text = type.good() && H5Tget_class(type.get()) == H5T_STRING &&
+                       H5Tis_variable_str(type.get()) == 0 && H5Tget_size(type.get()) <= size_;
+  if (!is_text) fail(fmt::format("there is no text \"{}\" in it; is it the right file?", name));
+  std::string text(H5Tget_size(type.get()), '\0');
+  if (H5Dread(data.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
+    fail(fmt::format("\"{}\" cannot be read; the file is damaged or cut off", name));
+  return text.substr(0, text.find('\0'));
+}
+
+bool Hdf5Reader::has_attribute(const std::string& name, const std::string& key) const {
+  return H5Aexists_by_name(file_.get(), name.c_str(), key.c_str(), H5P_DEFAULT) > 0;
+}
+
+void Hdf5Reader::read_attribute(const std::string& name, const std::string& key, hid_t memory,
+                                void* value) const {
+  const Hdf5Handle attribute(
+      H5Aopen_by_name(file_.get(), name.c_str(), key.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle space(attribute.good() ? H5Aget_space(attribute.get()) : -1, H5Sclose);
+  if (!space.good() || H5Sget_simple_extent_npoints(space.get()) != 1 ||
+      H5Aread(attribute.get(), memory, value) < 0)
+    fail(fmt::format("there is no \"{}\" in it that can be read; is it the right file?", key));
+}
+
+double Hdf5Reader::number(const std::string& name, const std::string& key) const {
+  double value = 0;
+  read_attribute(name, key, H5T_NATIVE_DOUBLE, &value);
+  return value;
+}
+
+std::int64_t Hdf5Reader::integer(const std::string& name, const std::string& key) const {
+  std::int64_t value = 0;
+  read_attribute(name, key, H5T_NATIVE_INT64, &value);
+  return value;
+}
+
+std::string Hdf5Reader::text(const std::string& name, const std::string& key) const {
+  constexpr std::size_t longest = 1 << 20;
+  const Hdf5Handle attribute(
+      H5Aopen_by_name(file_.get(), name.c_str(), key.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle type(attribute.good() ? H5Aget_type(attribute.get()) : -1, H5Tclose);
+  const bool is_text = type.good() && H5Tget_class(type.get()) == H5T_STRING &&
+                       H5Tis_variable_str(type.get()) == 0 && H5Tget_size(type.get()) <= longest;
+  std::string value(is_text ? H5Tget_size(type.get()) : 0, '\0');
+  if (!is_text) fail(fmt::format("there is no text \"{}\" in it; is it the right file?", key));
+  read_attribute(name, key, type.get(), value.data());
+  return value.substr(0, value.find('\0'));
+}
+
+}  // namespace freshet

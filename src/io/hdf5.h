@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+/// HDF5 files made and read in memory, so that they reach the disk as all files do: whole or not.
+#pragma once
+#include <hdf5.h>
+
+#include <cstdint>
+#include <mutex>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace freshet {
+
+/// Holds the library, which is not made for threads, and keeps it from printing. One thread may
+/// hold it several times.
+class Hdf5Lock {
+ public:
+  Hdf5Lock();
+
+ private:
+  std::unique_lock<std::recursive_mutex> lock_;
+};
+
+/// An identifier of the library, closed when it goes.
+class Hdf5Handle {
+ public:
+  Hdf5Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+  ~Hdf5Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  Hdf5Handle(Hdf5Handle&& other) noexcept
+      : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+  Hdf5Handle& operator=(Hdf5Handle&&) = delete;
+  hid_t get() const { return id_; }
+  bool good() const { return id_ >= 0; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+/// How floats are stored: 4 bytes, or the 2 of IEEE 754 binary16, to which the library rounds.
+enum class Hdf5Float { single, half };
+
+/// A file in the making, the same bytes for the same data. Groups in a name ("fluid/x") are made. A
+/// `name` of several numbers an element has `columns` > 1: a table.
+/// Throws Error (kind run) where the library fails, which is when memory ends.
+class Hdf5Writer {
+ public:
+  Hdf5Writer();
+
+  void write(const std::string& name, std::span<const float> values, std::size_t columns = 1,
+             Hdf5Float stored = Hdf5Float::single);
+  void write(const std::string& name, std::span<const double> values, std::size_t columns = 1);
+  void write(const std::string& name, std::span<const std::int32_t> values,
+             std::size_t columns = 1);
+  void write(const std::string& name, std::span<const std::int64_t> values,
+             std::size_t columns = 1);
+  void write(const std::string& name, std::span<const std::uint64_t> values,
+             std::size_t columns = 1);
+
+  void write_text(const std::string& name, const std::string& text);
+
+  /// Of the file where `name` is "/", else of what was written under that name.
+  void attribute(const std::string& name, const std::string& key, double value);
+  void attribute(const std::string& name, const std::string& key, std::int64_t value);
+  void attribute(const std::string& name, const std::string& key, const std::string& value);
+
+  /// The whole file as it stands on a disk.
+  std::string bytes();
+
+ private:
+  void write(const std::string& name, hid_t memory, hid_t stored, const void* values,
+             std::size_t count, std::size_t columns);
+  void attribute(const std::string& name, const std::string& key, hid_t memory, hid_t stored,
+                 const void* value);
+
+  Hdf5Lock lock_;
+  Hdf5Handle file_;
+};
+
+/// A file that was read whole. Throws Error (kind scene) at `place`, with the remedy.
+class Hdf5Reader {
+ public:
+  Hdf5Reader(std::string_view bytes, std::string place);
+
+  bool has(const std::string& name) const;
+  /// How many numbers an element has: 1 of a list, the columns of a table.
+  std::size_t columns(const std::string& name) const;
+  /// The numbers under a name; other types of numbers are converted.
+  void read(const std::string& name, std::vector<float>& values) const;
+  void read(const std::string& name, std::vector<double>& values) const;
+  void read(const std::string& name, std::vector<std::int32_t>& values) const;
+  void read(const std::string& name, std::vector<std::int64_t>& values) const;
+  void read(const std::string& name, std::vector<std::uint64_t>& values) const;
+  std::string read_text(const std::string& name) const;
+  bool has_attribute(const std::string& name, const std::string& key) const;
+  double number(const std::string& name, const std::string& key) const;
+  std::int64_t integer(const std::string& name, const std::string& key) const;
+  std::string text(const std::string& name, const std::string& key) const;
+
+ private:
+  template <class T> void read_as(const std::string& name, hid_t memory, std::vector<T>& v) const;
+  void read_attribute(const std::string& name, const std::string& key, hid_t memory,
+                      void* value) const;
+  [[noreturn]] void fail(const std::string& why) const;
+
+  Hdf5Lock lock_;
+  std::string place_;
+  Hdf5Handle file_;
+  std::size_t size_;  // of the whole file
+};
+
+}  // namespace freshet

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "render/color.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "render/dots.h"
+#include "scene/background.h"
+
+namespace freshet {
+namespace {
+
+constexpr float dimmest_full_speed = 0.1f;  // m/s that at least stand for red
+
+// Colours at equal distances. water is ours; viridis and inferno by Smith and van der Walt (CC0);
+// coolwarm from the table of Moreland, "Diverging Color Maps for Scientific Visualization" (2009).
+constexpr Color water[] = {
+    {20, 76, 160}, {28, 112, 196}, {64, 156, 220}, {136, 206, 238}, {240, 250, 255}};
+constexpr Color viridis[] = {{68, 1, 84},    {72, 40, 120},  {62, 73, 137},  {49, 104, 142},
+                             {38, 130, 142}, {31, 158, 137}, {53, 183, 121}, {110, 206, 88},
+                             {181, 222, 43}, {253, 231, 37}};
+constexpr Color inferno[] = {{0, 0, 4},      {27, 12, 65},   {74, 12, 107},  {120, 28, 109},
+                             {165, 44, 96},  {207, 68, 70},  {237, 105, 37}, {251, 155, 6},
+                             {247, 209, 61}, {252, 255, 164}};
+constexpr Color coolwarm[] = {{59, 76, 192},   {98, 130, 234},  {141, 176, 254},
+                              {184, 208, 249}, {221, 221, 221}, {245, 196, 173},
+                              {244, 154, 123}, {222, 96, 77},   {180, 4, 38}};
+
+Color between(std::span<const Color> colors, float t) {
+  const float at = t * float(colors.size() - 1);
+  const std::size_t k = std::min(std::size_t(at), colors.size() - 2);
+  const float f = at - float(k);
+  const auto mix = [f](std::uint8_t a, std::uint8_t b) {
+    return std::uint8_t(float(a) + f * (float(b) - float(a)) + 0.5f);
+  };
+  const Color a = colors[k], b = colors[k + 1];
+  return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
+}
+
+float speed_of(const Frame& f, std::size_t i) {
+  float sum = 0;
+  for (std::size_t d = 0; d < std::size_t(f.dimension); ++d) {
+    const float u = f.v[std::size_t(f.dimension) * i + d];
+    sum += u * u;
+  }
+  return std::sqrt(sum);
+}
+
+float value_of(const Scene& s, const Frame& f, std::size_t i) {
+  const auto d = std::size_t(f.dimension);
+  switch (s.picture.color_by) {
+    case ColorBy::speed:
+      return speed_of(f, i);
+    case ColorBy::velocity_x:
+      return f.v[d * i];
+    case ColorBy::velocity_y:
+      return f.v[d * i + 1];
+    case ColorBy::velocity_z:
+      return f.v[d * i + d - 1];
+    case ColorBy::density:
+      return f.density[i];
+    case ColorBy::density_error:
+      return f.density[i] / float(s.fluid.at(0).rest_density) - 1;
+    case ColorBy::pressure:
+      return f.pressure[i];
+    case ColorBy::height:
+      return f.x[d * i + 1];
+    case ColorBy::id:
+      return float(f.id[i]);
+  }
+  return 0;
+}
+
+std::string label_of(const Scene& s) {
+  const bool flat = s.dimension() == 2;
+  switch (s.picture.color_by) {
+    case ColorBy::speed:
+      return "speed [m/s]";
+    case ColorBy::velocity_x:
+      return "velocity x [m/s]";
+    case ColorBy::velocity_y:
+      return "velocity y [m/s]";
+    case ColorBy::velocity_z:
+      return "velocity z [m/s]";
+    case ColorBy::density:
+      return flat ? "density [kg/m²]" : "density [kg/m³]";
+    case ColorBy::density_error:
+      return "density error";
+    case ColorBy::pressure:
+      return flat ? "pressure [N/m]" : "pressure [Pa]";
+    case ColorBy::height:
+      return "height [m]";
+    case ColorBy::id:
+      return "id";
+  }
+  return "";
+}
+
+/// The values' own range: of what has a sign, as far to both sides.
+void fit_range(ColorBy what, Coloring& c) {
+  float low = std::numeric_limits<float>::max(), high = -low;
+  for (const float v : c.values)
+    if (std::isfinite(v)) {
+      low = std::min(low, v);
+      high = std::max(high, v);
+    }
+  const bool sign = what == ColorBy::velocity_x || what == ColorBy::velocity_y ||
+                    what == ColorBy::velocity_z || what == ColorBy::density_error;
+  if (what == ColorBy::speed) {
+    low = 0;
+    high = std::max(dimmest_full_speed, high);
+  } else if (sign) {
+    high = std::max(std::abs(low), std::abs(high));
+    low = -high;
+  }
+  if (low > high) low = high = 0;  // nothing at all
+  c.low = low;
+  c.high = high > low ? high : low + std::max(1.0f, std::abs(low));
+}
+
+}  // namespace
+
+Color map_color(ColorMap map, float t) {
+  t = t > 0 ? std::min(t, 1.0f) : 0;  // NaN too
+  switch (map) {
+    case ColorMap::article:
+      return speed_color(t);
+    case ColorMap::water:
+      return between(water, t);
+    case ColorMap::viridis:
+      return between(viridis, t);
+    case ColorMap::inferno:
+      return between(inferno, t);
+    case ColorMap::coolwarm:
+      return between(coolwarm, t);
+  }
+  return {};
+}
+
+Color ground_color(const Scene& scene) {
+  const auto c = background_color(scene.picture.background).value_or(*background_color("night"));
+  return {c[0], c[1], c[2]};
+}
+
+bool is_light(Color c) { return int(c.r) + c.g + c.b > 3 * 127; }
+
+Coloring color_particles(const Scene& s, const Frame& frame) {
+  const ColorMap map =
+      s.picture.color_map.value_or(frame.dimension == 2 ? ColorMap::article : ColorMap::water);
+  Coloring c{map, 0, 1, {}, label_of(s)};
+  c.values.reserve(frame.size());
+  for (std::size_t i = 0; i < frame.size(); ++i) c.values.push_back(value_of(s, frame, i));
+  if (s.picture.color_range.size() == 2) {
+    c.low = float(s.picture.color_range[0]);
+    c.high = float(s.picture.color_range[1]);
+  } else {
+    fit_range(s.picture.color_by, c);
+  }
+  return c;
+}
+
+}  // namespace freshet

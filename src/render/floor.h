@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <vector>
+
+#include "boundary/solid.h"
+#include "freshet/frame.h"
+#include "render/camera.h"
+
+namespace freshet {
+
+/// Towards the light; of length 1.
+Point light_direction();
+
+/// Corners of the box around a solid that is not a plane.
+struct Bounds {
+  Point low, high;
+};
+Bounds bounds_of(const Solid<3, double>& solid);
+
+/// How dark the bottom of the domain is: the shadows of the fluid and of solids, with soft edges.
+class FloorShadow {
+ public:
+  FloorShadow(const Scene& scene, const Frame& fluid, const std::vector<Solid<3, double>>& solids);
+
+  /// 0 in full light ... 1 in full shadow, at (x, z) [m] on the floor.
+  float operator()(double x, double z) const;
+
+ private:
+  void add_fluid(const Scene& scene, const Frame& fluid);
+  void add_solid(const Solid<3, double>& solid);
+  void blur(int radius);
+  float& cell(int i, int j) { return dark_[std::size_t(j) * std::size_t(nx_) + std::size_t(i)]; }
+
+  Point low_, high_;
+  double side_;  // of a cell [m]
+  int nx_, nz_;
+  std::vector<float> dark_;
+};
+
+}  // namespace freshet

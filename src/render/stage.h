@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+/// What stands around the fluid in 3D: the floor, the edges of the domain, the walls.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "render/band.h"
+#include "render/floor.h"
+
+namespace freshet {
+
+/// The light that a surface throws back, by the cosines between its normal and the light, and its
+/// normal and the vertical: the sky lights what faces up.
+inline float brightness(float facing, float upward) {
+  constexpr float ambient = 0.42f;
+  return ambient * (0.8f + 0.2f * upward) + (1 - ambient) * std::max(0.0f, facing);
+}
+float brightness(Point normal);
+Color lit(Color c, float light);
+
+class Stage {
+ public:
+  /// `view` is in samples.
+  Stage(const Scene& scene, const Frame& fluid, const View& view, Color ground);
+
+  void draw(Band& band) const;
+
+ private:
+  struct Line {
+    Point a, b;
+  };
+  /// Where a wall can be in the picture, in samples.
+  struct Extent {
+    int left, top, right, bottom;
+  };
+  void add_box_lines(Point low, Point high);
+  void add_circle(Point center, Point u, Point v);
+  void add_tank_lines(const Solid<3, double>& tank);
+  Extent extent_of(const Solid<3, double>& solid) const;
+  bool seen_from_behind(const Solid<3, double>& plane) const;
+
+  void draw_floor(Band& band) const;
+  void draw_solid(Band& band, const Solid<3, double>& solid) const;
+  void draw_line(Band& band, const Line& line) const;
+  /// Distance along the line of sight and the surface's direction where a ray meets a solid.
+  struct Hit {
+    double z;
+    Point normal;
+  };
+  std::optional<Hit> meet(const Solid<3, double>& solid, Point ray) const;
+
+  View view_;
+  Point low_, high_;  // of the domain
+  bool has_floor_;
+  Color floor_, edge_;
+  std::vector<Solid<3, double>> solids_;
+  std::vector<Line> lines_;
+  std::optional<FloorShadow> shadow_;
+};
+
+}  // namespace freshet

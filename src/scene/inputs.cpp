@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "scene/inputs.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "scene/overrides.h"
+
+namespace freshet {
+
+Inputs inputs_of(const Scene& scene) {
+  Inputs inputs{scene.source, {}};
+  std::vector<Override> names;
+  const auto add = [&](const char* table, std::size_t k, const Scene::Region& region) {
+    if (region.file.empty()) return;
+    const std::filesystem::path file = region.file;
+    // no TOML value, so that it is taken as text
+    const std::string name = fmt::format("inputs/{}_{}_{}", table, k, file.filename().string());
+    inputs.files.emplace_back(name, file);
+    names.emplace_back(fmt::format("{}[{}].file", table, k), name);
+  };
+  for (std::size_t k = 0; k < scene.fluid.size(); ++k) add("fluid", k, scene.fluid[k]);
+  for (std::size_t k = 0; k < scene.wall.size(); ++k) add("wall", k, scene.wall[k]);
+  if (names.empty() || scene.source.empty()) return inputs;
+  toml::table table = toml::parse(scene.source);
+  apply_overrides(table, names);
+  std::ostringstream text;
+  text << "# as run; the files that it reads are copies\n" << table << "\n";
+  inputs.source = text.str();
+  return inputs;
+}
+
+}  // namespace freshet

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+#include "sim/health.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace freshet {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+double norm_of(const Vector& a) {
+  double sum = 0;
+  for (const double x : a) sum += x * x;
+  return std::sqrt(sum);
+}
+
+/// The speed of a fall through the whole domain.
+double fall_speed(const Scene& s) {
+  double work = 0;
+  for (std::size_t k = 0; k < s.domain.gravity.size(); ++k)
+    work += std::abs(s.domain.gravity[k]) * (s.domain.max[k] - s.domain.min[k]);
+  return std::sqrt(2 * work);
+}
+
+/// The potential energy of a particle where it is least in the domain [J/kg].
+double least_potential(const Scene& s) {
+  double least = 0;
+  for (std::size_t k = 0; k < s.domain.gravity.size(); ++k)
+    least -= std::max(s.domain.gravity[k] * s.domain.min[k], s.domain.gravity[k] * s.domain.max[k]);
+  return least;
+}
+
+/// Gravity that does work without end: along an axis that repeats.
+bool falls_for_ever(const Scene& s) {
+  for (int k = 0; k < s.dimension(); ++k)
+    if (s.periodic(k) && s.domain.gravity[std::size_t(k)] != 0) return true;
+  return false;
+}
+
+}  // namespace
+
+/// What is watched: doubtful from a first bound on, fatal from a second.
+struct Health::Rule {
+  const char* kind;
+  double doubtful, fatal;
+  bool lasting;  // over half of the steps a doubt is fatal as well
+  bool ends;     // beyond the fatal bound the run ends
+};
+
+Health::Health(const Scene& scene, const Derived& derived, const ParticleView& start)
+    : scene_(scene), derived_(derived), look_at_(look_at(scene, derived)) {
+  const Look look = look_at_(start);
+  start_energy_ = look.kinetic + look.potential;
+  start_available_ = std::max(0.0, start_energy_ - least_potential(scene));
+  for (const Scene::Fluid& fluid : scene.fluid)
+    start_speed_ = std::max({start_speed_, norm_of(fluid.velocity), look.fastest.value});
+}
+
+void Health::look(const Moment& now, const ParticleView& fluid,
+                  const std::function<TimeStepBounds()>& bounds) {
+  moment_ = now;
+  now_ = look_at_(fluid);
+  if (now_.lost) fail_for_lost();
+  if (scene_.solver.scheme == Scheme::article) return;  // its densities are none: docs/article.md
+  const bool first = record_.first_step == 0;
+  if (first) {
+    record_.first_step = now.step;
+    record_.first_compression = now_.compression;
+    record_.first_densest = {now_.densest.id, now_.densest.x, now_.densest.value};
+  }
+  record_.steps_watched += steps_since_last();
+  if (!scene_.time.adaptive) {
+    const TimeStepBounds b = bounds();
+    if (first) record_.first_bound = b.least();
+    judge_step(b);
+  }
+  judge_walls(fluid.size());
+  judge_density();
+  judge_speed();
+  judge_energy();
+  for (std::size_t k = 0; k < record_.tracks.size(); ++k) {
+    const WatchRecord::Track& t = record_.tracks[k];
+    record_.warnings[k].cannot_be_right =
+        t.fatal || (t.lasting && 2 * t.steps > record_.steps_watched);
+  }
+  last_ = now_;
+  last_moment_ = now;
+}
+
+void Health::look_for_lost(const Moment& now, const ParticleView& fluid) {
+  moment_ = now;
+  now_ = look_at_(fluid);
+  if (now_.lost) fail_for_lost();
+}
+
+void Health::go_on(const Moment& now, WatchRecord record) {
+  last_moment_ = now;
+  record_ = std::move(record);
+}
+
+std::int64_t Health::steps_since_last() const { return moment_.step - last_moment_.step; }
+
+template <class Message> void Health::judge(const Rule& rule, double value, Message message) {
+  if (!(value > rule.doubtful)) return;
+  const bool fatal = value > rule.fatal;
+  if (fatal && rule.ends && scene_.checks.when_wrong == WhenWrong::stop)
+    throw Error(Error::Kind::run, "", "the run cannot be right: " + message());
+  std::size_t k = 0;
+  while (k < record_.warnings.size() && record_.warnings[k].kind != rule.kind) ++k;
+  if (k == record_.warnings.size()) {
+    record_.tracks.push_back({rule.lasting, false, 0});
+    Warning w{rule.kind, message()};
+    w.first_step = moment_.step;
+    w.first_time = moment_.time;
+    w.bound = rule.doubtful;
+    record_.warnings.push_back(std::move(w));
+  }
+  Warning& w = record_.warnings[k];
+  w.last_step = moment_.step;
+  ++w.looks;
+  if (value > w.worst) {
+    w.worst = value;
+    w.worst_step = moment_.step;
+  }
+  record_.tracks[k].fatal |= fatal;
+  record_.tracks[k].steps += steps_since_last();
+}
+
+void Health::judge_step(const TimeStepBounds& bounds) {
+  static constexpr Rule rule{"time step", 1.25, never, false, false};
+  const double over = moment_.dt / bounds.least();
+  judge(rule, over, [&] {
+    return fmt::format(
+        "time.step, {:.4g} s, is {:.3g} times the longest that is safe now, {:.4g} s (by the bound "
+        "of {}), {}; {}; the run may blow up; make time.step smaller",
+        moment_.dt, over, bounds.least(), bounds.ruling(), when(), fastest(now_));
+  });
+}
+
+void Health::judge_walls(std::size_t particles) {
+  static constexpr Rule rule{"walls", 0, 0.01, false, false};
+  judge(rule, double(now_.left) / double(particles), [&] {
+    return fmt::format(
+        "{} of {} particles went through walls that should hold them, the first of them particle "
+        "{} at {}, {}; {}",
+        now_.left, particles, now_.first_left.id, place(now_.first_left), when(),
+        cause("the walls are too weak for this flow; choose another method for them, or make "
+              "particles.spacing smaller"));
+  });
+}
+
+void Health::judge_density() {
+  static constexpr Rule rule{"density", 0.1, 1, true, true};
+  judge(rule, now_.density_error, [&] {
+    return fmt::format(
+        "the fluid is {:.3g} % denser than at rest on average, particle {} at {} {:.3g} times as "
+        "dense, {}; {}",
+        100 * now_.density_error, now_.densest.id, place(now_.densest),
+        now_.densest.value / derived_.rest_density, when(),
+        cause(too_soft(std::max(reference_speed(), now_.fastest.value))));
+  });
+}
+
+void Health::judge_speed() {
+  static constexpr Rule all{"speed", 0.3, 1, true, true};
+  static constexpr Rule one{"fastest particle", 1, never, true, false};
+  const double sound = derived_.sound_speed;
+  judge(all, now_.agitation / sound, [&] {
+    return fmt::format(
+        "the particles move at {:.3g} m/s (root mean square about their mean velocity), {:.3g} "
+        "times the speed of sound, {}; {}; {}",
+        now_.agitation, now_.agitation / sound, when(), fastest(now_),
+        cause(too_soft(now_.fastest.value)));
+  });
+  judge(one, now_.fastest.value / sound, [&] {
+    return fmt::format("a particle is {:.3g} times as fast as sound, {}; {}; {}",
+                       now_.fastest.value / sound, when(), fastest(now_), cause(came_too_close()));
+  });
+}
+
+void Health::judge_energy() {
+  static constexpr Rule keeps{"energy", 0.5, 10, true, true};
+  static constexpr Rule boils{"energy", 0.5, 10, false, true};
+  if (falls_for_ever(scene_)) return;
+  const bool mueller = scene_.solver.name == SolverName::mueller2003;
+  const double made = now_.kinetic + now_.potential - start_energy_;
+  const double share = made / energy_available();
+  judge(mueller ? boils : keeps, share, [&] {
+    return fmt::format(
+        "{:.4g} J/kg of energy came from nowhere, {:.3g} times what could become motion, {}; {}; "
+        "{}",
+        made, share, when(), fastest(now_),
+        cause(mueller ? "the scheme of mueller2003 does not keep energy where little viscosity "
+                        "takes it up; make fluid.viscosity larger, or choose wcsph or delta_sph as "
+                        "solver.name"
+                      : came_too_close()));
+  });
+}
+
+/// What the start had, that a fall to the bottom and a relaxing of the first densities give, and
+/// sound waves that change the density by 1 % [J/kg].
+double Health::energy_available() const {
+  const double c2 = derived_.sound_speed * derived_.sound_speed;
+  return start_available_ + c2 / 2 * (record_.first_compression + 0.01 * 0.01);
+}
+
+void Health::fail_for_lost() const {
+  const Witness& lost = *now_.lost;
+  const std::string before =
+      last_moment_.step == 0 ? ""
+                             : fmt::format(" (at step {} {})", last_moment_.step, fastest(last_));
+  throw Error(Error::Kind::run, "",
+              fmt::format("particle {} is {}, at {}, {}{}; {}", lost.id,
+                          lost.value > 0 ? "no number any more" : "lost", place(lost), when(),
+                          before, cause(came_too_close())));
+}
+
+void Health::fail_for_step(const Moment& now, const TimeStepBounds& bounds) const {
+  const bool weakly = scene_.solver.name != SolverName::mueller2003;
+  const bool from_the_start = !(derived_.step_bound() > least_step());
+  const std::string bound = bounds.ruling();
+  std::string why = "the run has blown up; " + cause(came_too_close());
+  if (from_the_start)
+    why = fmt::format("{} asks for it; make it smaller",
+                      bound == "force" ? "domain.gravity"
+                      : bound == "viscosity"
+                          ? weakly ? "solver.artificial_viscosity" : "fluid.viscosity"
+                      : weakly ? "solver.sound_speed"
+                               : "solver.stiffness");
+  else if (last_moment_.step > 0)
+    why = fmt::format("at step {} {}; {}", last_moment_.step, fastest(last_), why);
+  throw Error(Error::Kind::run, "",
+              fmt::format("the time step fell to {:.3g} s, by the bound of {}, at step {}, {:.6g} "
+                          "s; {}",
+                          now.dt, bound, now.step, now.time, why));
+}
+
+/// The fastest that the scene itself makes its fluid: it starts so, or falls through the domain.
+double Health::reference_speed() const { return std::max(start_speed_, fall_speed(scene_)); }
+
+std::string Health::when() const {
+  return fmt::format("at step {}, {:.6g} s", moment_.step, moment_.time);
+}
+
+std::string Health::place(const Witness& particle) const {
+  const auto& x = particle.x;
+  return scene_.dimension() == 2 ? fmt::format("({:.4g}, {:.4g})", x[0], x[1])
+                                 : fmt::format("({:.4g}, {:.4g}, {:.4g})", x[0], x[1], x[2]);
+}
+
+std::string Health::fastest(const Look& look) const {
+  return fmt::format("the fastest, particle {} at {}, has {:.3g} m/s", look.fastest.id,
+                     place(look.fastest), look.fastest.value);
+}
+
+/// What to do where sound is too slow for a flow as fast as `speed` [m/s].
+std::string Health::too_soft(double speed) const {
+  const bool mueller = scene_.solver.name == SolverName::mueller2003;
+  const double needed = 10 * speed;
+  return fmt::format(
+      "the fluid is too soft: sound goes at {:.3g} m/s, and should at ten times the fastest flow, "
+      "{:.3g} m/s; make {} at least {:.4g}",
+      derived_.sound_speed, speed, mueller ? "solver.stiffness" : "solver.sound_speed",
+      mueller ? needed * needed : needed);
+}
+
+std::string Health::came_too_close() const {
+  return fmt::format("particles came too close; look at the start of the scene, or make {} smaller",
+                     scene_.time.adaptive ? "time.step_max" : "time.step");
+}
+
+/// The likeliest cause by what the scene and its start tell; else the one that is given.
+std::string Health::cause(const std::string& otherwise) const {
+  const double longest = record_.first_step > 0 && !scene_.time.adaptive
+                             ? std::min(derived_.step_bound(), record_.first_bound)
+                             : derived_.step_bound();
+  const auto& densest = record_.first_densest;
+  if (densest.value > 1.5 * derived_.rest_density)
+    return fmt::format(
+        "particle {} at {} had {:.3g} times its rest density at step {}: particles start too close "
+        "to each other or to a wall; put them particles.spacing apart",
+        densest.id, place({densest.id, densest.x, densest.value}),
+        densest.value / derived_.rest_density, record_.first_step);
+  if (!scene_.time.adaptive && scene_.time.step > longest)
+    return fmt::format("time.step, {:.4g} s, is over its bound, {:.4g} s; make it smaller",
+                       scene_.time.step, longest);
+  if (derived_.sound_speed < 5 * reference_speed()) return too_soft(reference_speed());
+  return otherwise;
+}
+
+}  // namespace freshet

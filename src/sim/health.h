@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "freshet/derived.h"
+#include "freshet/report.h"
+#include "freshet/simulation.h"
+#include "io/checkpoint.h"
+#include "sim/look.h"
+
+namespace freshet {
+
+/// When a look is taken.
+struct Moment {
+  std::int64_t step = 0;    ///< how many were taken
+  double time = 0, dt = 0;  ///< [s]; dt is the last step
+};
+
+/// Watches over a run and never changes it. docs/when_it_goes_wrong.md tells the rules, and why
+/// their bounds are where they are.
+///
+/// A doubt becomes a warning when it is first seen. A warning says that the run cannot be right
+/// where it went beyond a second, fatal bound, or held over more than half of the steps. Beyond a
+/// fatal bound most rules end the run, unless checks.when_wrong is `warn`; a particle that is lost
+/// ends it always.
+class Health {
+ public:
+  /// Keeps both references. `start` is the fluid before the first step.
+  Health(const Scene& scene, const Derived& derived, const ParticleView& start);
+
+  /// Whether to look after this step: soon at first, where most goes wrong, then so seldom that it
+  /// costs nothing.
+  static bool due(std::int64_t step) {
+    return step <= 100 ? step % 10 == 0 || step == 1 : step % 100 == 0;
+  }
+  /// Throws Error (kind run) where the run has to end. `bounds` is asked where the step is fixed.
+  void look(const Moment& now, const ParticleView& fluid,
+            const std::function<TimeStepBounds()>& bounds);
+  /// A shorter adaptive step is none: a run of such steps would not end [s].
+  double least_step() const { return 1e-9 * scene_.time.end; }
+  /// The adaptive step, now.dt, fell to that.
+  [[noreturn]] void fail_for_step(const Moment& now, const TimeStepBounds& bounds) const;
+
+  /// Throws as look does if a particle is lost; remembers nothing.
+  void look_for_lost(const Moment& now, const ParticleView& fluid);
+
+  const std::vector<Warning>& warnings() const { return record_.warnings; }
+  const WatchRecord& record() const { return record_; }
+  /// Goes on where the watch of a checkpoint ended.
+  void go_on(const Moment& now, WatchRecord record);
+
+ private:
+  struct Rule;
+  template <class Message> void judge(const Rule& rule, double value, Message message);
+  void judge_step(const TimeStepBounds& bounds);
+  void judge_walls(std::size_t particles);
+  void judge_density();
+  void judge_speed();
+  void judge_energy();
+  [[noreturn]] void fail_for_lost() const;
+  std::int64_t steps_since_last() const;
+
+  double energy_available() const;
+  double reference_speed() const;
+  std::string when() const;
+  std::string place(const Witness& particle) const;
+  std::string fastest(const Look& look) const;
+  std::string too_soft(double speed) const;
+  std::string came_too_close() const;
+  std::string cause(const std::string& otherwise) const;
+
+  const Scene& scene_;
+  const Derived& derived_;
+  std::function<Look(const ParticleView&)> look_at_;
+  double start_speed_ = 0;                         // the fastest at the start [m/s]
+  double start_energy_ = 0, start_available_ = 0;  // of a mean particle [J/kg]
+  Look last_, now_;
+  Moment last_moment_, moment_;
+  WatchRecord record_;
+};
+
+}  // namespace freshet

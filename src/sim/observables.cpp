@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "sim/observables.h"
+
+#include <fmt/format.h>
+
+namespace freshet {
+namespace {
+
+constexpr const char* axis_names[] = {"x", "y", "z"};
+
+/// A column's name that any reader of CSV takes for one: a wall may be called as its scene likes.
+std::string quoted(const std::string& name) {
+  if (name.find_first_of(",\"\n\r") == std::string::npos) return name;
+  std::string out = "\"";
+  for (const char c : name) {
+    if (c == '"') out += '"';
+    out += c == '\n' || c == '\r' ? ' ' : c;  // a header is one line
+  }
+  return out + "\"";
+}
+
+}  // namespace
+
+std::string observables_header(const Scene& s) {
+  const bool flat = s.dimension() == 2;
+  const char *density = flat ? "kg/m^2" : "kg/m^3", *force = flat ? "N/m" : "N";
+  std::string line =
+      "step,time [s],time step [s],ruled by,least bound [s],"
+      "kinetic energy [J],potential energy [J]";
+  for (int d = 0; d < s.dimension(); ++d)
+    line += fmt::format(",momentum {} [kg m/s]", axis_names[d]);
+  line += fmt::format(
+      ",density mean [{0}],density max [{0}],density error mean [%],density error max [%],"
+      "speed mean [m/s],speed max [m/s],fastest particle",
+      density);
+  for (const std::string& name : s.wall_names())
+    for (int d = 0; d < s.dimension(); ++d)
+      line += "," + quoted(fmt::format("force on {} {} [{}]", name, axis_names[d], force));
+  return line + "\n";
+}
+
+std::string observables_line(Simulation& s, const std::vector<Vector>& wall_forces) {
+  const Statistics t = s.statistics();
+  const TimeSteps& steps = s.time_steps();
+  std::string line =
+      fmt::format("{},{:.9g},{:.9g},{},{:.9g},{:.9g},{:.9g}", s.steps_done(), s.time(), steps.last,
+                  steps.last_ruled, s.bounds().least(), t.kinetic_energy, t.potential_energy);
+  for (const double p : t.momentum) line += fmt::format(",{:.9g}", p);
+  line += fmt::format(",{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{}", t.density_mean,
+                      t.density_max, 100 * t.density_error_mean, 100 * t.density_error_max,
+                      t.speed_mean, t.speed_max, t.fastest);
+  for (const Vector& force : wall_forces)
+    for (const double f : force) line += fmt::format(",{:.9g}", f);
+  return line + "\n";
+}
+
+}  // namespace freshet

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+/// Pictures of a run's observables.
+#include <gtest/gtest.h>
+
+#include <pugixml.hpp>
+
+#include "cli/files.h"
+#include "cli/process.h"
+#include "render/png.h"
+
+namespace freshet::test {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// A folder with an observables.csv of two rows; `more` are further lines.
+std::string run_in(const fs::path& folder, const std::string& more = "") {
+  write_text(folder / "observables.csv",
+             "step,time [s],time step [s],ruled by,least bound [s],kinetic energy [J],"
+             "potential energy [J],speed mean [m/s],speed max [m/s],force on floor y [N/m]\n"
+             "1,0.5,0.5,sound,0.5,1,20,2,3,-7\n2,1,0.5,step_max,0.6,2,19,2,4,-8\n" +
+                 more);
+  return folder.string();
+}
+
+/// One line on stderr, nothing on stdout.
+std::string error_of(const std::vector<std::string>& arguments, int code) {
+  const auto r = freshet(arguments);
+  EXPECT_EQ(r.code, code) << r.err;
+  EXPECT_EQ(r.out, "");
+  EXPECT_EQ(lines_of(r.err).size(), 1u) << r.err;
+  return r.err;
+}
+
+/// The number of panels in an SVG: their frames are closed rectangles without a filling.
+std::size_t panels_in(const fs::path& svg) {
+  pugi::xml_document document;
+  EXPECT_TRUE(document.load_file(svg.c_str()));
+  std::size_t count = 0;
+  for (const auto& found : document.select_nodes("//*[local-name()='path']")) {
+    const std::string style = found.node().attribute("style").value(),
+                      path = found.node().attribute("d").value();
+    count += contains(style, "fill:none") && contains(path, "Z");
+  }
+  return count;
+}
+
+constexpr const char *blue = "rgb(0%,44.7%,69.8%)", *vermilion = "rgb(83.5%,36.9%,0%)";
+
+/// The lines of a colour in an SVG, each as the letters of its path: M moves, L draws.
+std::vector<std::string> lines_in(const fs::path& svg, const std::string& color) {
+  pugi::xml_document document;
+  EXPECT_TRUE(document.load_file(svg.c_str()));
+  std::vector<std::string> all;
+  for (const auto& found : document.select_nodes("//*[local-name()='path']")) {
+    if (!contains(found.node().attribute("style").value(), "stroke:" + color)) continue;
+    std::string path = found.node().attribute("d").value();
+    std::erase_if(path, [](char c) { return c != 'M' && c != 'L'; });
+    all.push_back(path);
+  }
+  return all;
+}
+
+TEST(Plot, DrawsARunAndDrawsItAgain) {
+  const TemporaryFolder folder;
+  const auto run = freshet(short_run(folder / "run", {"--set", "checks.height_mean_max=3"}));
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::string manifest = read_text(folder / "run/manifest.json");
+  write_text(folder / "run/plots/mine.txt", "mine");
+  std::string first;
+  for (int k = 0; k < 2; ++k) {
+    const auto r = freshet({"plot", (folder / "run").string()});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_EQ(r.err, "");
+    EXPECT_EQ(r.out, "wrote " + (folder / "run/plots/observables.svg").string() + "\nwrote " +
+                         (folder / "run/plots/observables.png").string() + "\n");
+    const std::string svg = read_text(folder / "run/plots/observables.svg");
+    if (k == 0) first = svg;
+    EXPECT_TRUE(first == svg);
+  }
+  // energies, momentum, two density errors, speed, time step, forces along x and along y
+  EXPECT_EQ(panels_in(folder / "run/plots/observables.svg"), 8u);
+  const Image png = decode_png(read_text(folder / "run/plots/observables.png"));
+  EXPECT_EQ(png.width, 1440);
+  EXPECT_GT(png.height, 1440);
+  EXPECT_GT(std::count(png.pixels.begin(), png.pixels.end(), Color{0, 114, 178}), 1000);
+  EXPECT_EQ(read_text(folder / "run/manifest.json"), manifest);
+  EXPECT_EQ(read_text(folder / "run/plots/mine.txt"), "mine");
+  const auto again = freshet(short_run(folder / "run", {"--overwrite", "--quiet"}));
+  EXPECT_EQ(again.err.find("plots"), std::string::npos) << again.err;
+  EXPECT_TRUE(read_text(folder / "run/plots/observables.svg") == first);
+}
+
+TEST(Plot, DrawsTheColumnsAskedFor) {
+  const TemporaryFolder folder;
+  const std::string run = run_in(folder / "run"), svg = (folder / "below/a.svg").string();
+  const auto drawn = [&](const std::string& columns) {
+    const auto r = freshet({"plot", run, "--columns", columns, "--output", svg});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_EQ(r.out, "wrote " + svg + "\n");
+    return panels_in(svg);
+  };
+  EXPECT_EQ(drawn("speed mean"), 1u);
+  EXPECT_EQ(drawn("speed mean,speed max"), 1u);  // of one unit
+  EXPECT_EQ(drawn("speed mean,total energy,speed max [m/s],step"), 3u);
+  EXPECT_EQ(files_below(folder.path()),
+            (std::set<std::string>{"below/a.svg", "run/observables.csv"}));
+}
+
+TEST(Plot, WritesWhereItIsTold) {
+  const TemporaryFolder folder;
+  const std::string run = run_in(folder / "run");
+  fs::create_directories(folder / "v1.0");
+  for (const char* output : {"a.svg", "b.png", "c", "v1.0"})
+    EXPECT_EQ(freshet({"plot", run, "--output", (folder / output).string()}).code, 0) << output;
+  EXPECT_EQ(files_below(folder.path()),
+            (std::set<std::string>{"a.svg", "b.png", "c/observables.svg", "c/observables.png",
+                                   "v1.0/observables.svg", "v1.0/observables.png",
+                                   "run/observables.csv"}));
+  const std::string pdf = (folder / "a.pdf").string();
+  EXPECT_EQ(
+      error_of({"plot", run, "--output", pdf}, 2),
+      pdf + ": error: a plot is FILE.svg or FILE.png, or both in a folder; name one of these\n");
+  EXPECT_TRUE(contains(error_of({"plot", run, "--output", "/proc/no/such"}, 1),
+                       "error: cannot make this folder: "));
+}
+
+TEST(Plot, ComparesRuns) {
+  const TemporaryFolder folder;
+  const std::string a = run_in(folder / "a"), b = run_in(folder / "b"),
+                    svg = (folder / "both.svg").string();
+  freshet({"plot", a, "--columns", "speed max", "--output", svg});
+  EXPECT_EQ(lines_in(svg, blue).size(), 2u);  // with the legend's
+  const auto r = freshet({"plot", a, "--against", b, "--columns", "speed max", "--output", svg});
+  EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_EQ(lines_in(svg, blue).size(), 3u);
+  EXPECT_TRUE(contains(read_text(svg), "stroke-dasharray:5,3"));
+  EXPECT_EQ(freshet({"plot", a, "--against", b, a, b, "--output", svg}).code, 0);
+  EXPECT_EQ(error_of({"plot", a, "--against", b, a, b, a}, 2),
+            "--against: error: 4 runs, and more than 3 cannot be told apart; draw some of them\n");
+}
+
+// The time step has the colour of what ruled it: sound blue, step_max vermilion.
+TEST(Plot, TellsWhatRuledTheTimeStep) {
+  const TemporaryFolder folder;
+  write_text(folder / "observables.csv",
+             "step,time [s],time step [s],ruled by\n"
+             "1,0.5,0.5,sound\n2,1,0.7,step_max\n3,1.5,0.4,step_max\n4,2,0.6,sound\n");
+  EXPECT_EQ(freshet({"plot", folder.path().string()}).code, 0);
+  using Lines = std::vector<std::string>;  // the last is the legend's
+  EXPECT_EQ(lines_in(folder / "plots/observables.svg", blue),
+            (Lines{"MLML", "ML"}));  // first a dot
+  EXPECT_EQ(lines_in(folder / "plots/observables.svg", vermilion), (Lines{"MLL", "ML"}));
+}
+
+TEST(Plot, SaysWhichColumnsThereAre) {
+  const TemporaryFolder folder;
+  const std::string run = run_in(folder / "run");
+  const std::string all =
+      "there are force on floor y, kinetic energy, least bound, potential energy, speed max, speed "
+      "mean, step, time step, total energy\n";
+  EXPECT_EQ(error_of({"plot", run, "--columns", "speed maks"}, 2),
+            "--columns: error: no column \"speed maks\" of numbers in " + run +
+                "/observables.csv; did you mean speed max? " + all);
+  EXPECT_EQ(
+      error_of({"plot", run, "--columns", "ruled by"}, 2),
+      "--columns: error: no column \"ruled by\" of numbers in " + run + "/observables.csv; " + all);
+  EXPECT_FALSE(fs::exists(folder / "run/plots"));
+}
+
+TEST(Plot, DrawsWhatARunHasWrittenSoFar) {
+  const TemporaryFolder folder;
+  const std::string run = run_in(folder / "run", "3,1.5,0.5,sou");
+  EXPECT_EQ(freshet({"plot", run}).code, 0);
+  const std::string torn = read_text(folder / "run/plots/observables.svg");
+  run_in(folder / "run");
+  EXPECT_EQ(freshet({"plot", run}).code, 0);
+  EXPECT_TRUE(torn == read_text(folder / "run/plots/observables.svg"));
+}
+
+TEST(Plot, NeedsARun) {
+  const TemporaryFolder folder;
+  const std::string here = folder.path().string();
+  EXPECT_EQ(error_of({"plot", here + "/none"}, 2),
+            here + "/none: error: no such folder; give the folder of a run, as in runs/article\n");
+  EXPECT_EQ(error_of({"plot", here}, 2),
+            here +
+                ": error: no observables.csv in this folder; give the folder of a run whose "
+                "first frame is written\n");
+  const std::string file = here + "/observables.csv";
+  write_text(file, "step,time [s]\n");
+  EXPECT_EQ(error_of({"plot", here}, 2),
+            file + ": error: no row yet; wait until the run has written its first frame\n");
+  write_text(file, "a,b\n1,2\n");
+  EXPECT_EQ(error_of({"plot", here}, 2),
+            file +
+                ":1: error: no column \"time [s]\", so this was not written by a run; give the "
+                "folder of a run\n");
+  write_text(file, "time [s],a\n1,2\n");
+  EXPECT_EQ(error_of({"plot", here}, 2),
+            file +
+                ": error: none of the columns that every run has; name those to draw with "
+                "--columns\n");
+  EXPECT_EQ(freshet({"plot", here, "--columns", "a"}).code, 0);
+  write_text(file, "step,time [s]\n1\n2,3\n");
+  EXPECT_TRUE(contains(error_of({"plot", here}, 2), file + ":2: error: 1 value, "));
+  EXPECT_TRUE(contains(error_of({"plot"}, 2), "DIR"));
+  EXPECT_TRUE(contains(error_of({"plot", here, "--frobnicate"}, 2), "--frobnicate"));
+}
+
+TEST(Plot, OnAFullDiskLeavesNoHalfPicture) {
+  const TemporaryFolder folder;
+  const std::string run = run_in(folder / "run");
+  const auto r = freshet({"plot", run}, {.file_limit = 1000});
+  EXPECT_EQ(r.code, 1) << r.err;
+  EXPECT_TRUE(contains(r.err, "observables.svg: error: cannot write: ")) << r.err;
+  EXPECT_EQ(files_below(folder.path()), (std::set<std::string>{"run/observables.csv"}));
+}
+
+}  // namespace
+}  // namespace freshet::test

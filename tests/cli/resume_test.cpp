@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+/// Runs that are stopped, killed, torn or out of disk, and go on.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <random>
+#include <thread>
+
+#include "cli/files.h"
+#include "cli/process.h"
+
+namespace freshet::test {
+namespace {
+
+// Frames, observables and checkpoints at steps that have nothing to do with each other.
+constexpr const char* scene = R"([domain]
+max = [1.0, 1.0]
+[particles]
+spacing = 0.05
+[fluid]
+min = [0.0, 0.0]
+max = [0.4, 0.6]
+[[wall]]
+shape = "sphere"
+center = [0.7, 0.2]
+radius = 0.1
+method = "reflection"
+[solver]
+name = "wcsph"
+[time]
+end = 0.25
+step = 0.0005
+[output]
+frame_every_steps = 33
+observables_every_steps = 7
+checkpoint_every_steps = 20
+[picture]
+width = 64
+height = 64
+)";
+
+class Resume : public ::testing::Test {
+ protected:
+  Resume() { write_text(folder / "scene.toml", scene); }
+  std::vector<std::string> arguments(const std::string& name,
+                                     const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> all{"run", (folder / "scene.toml").string(), "--output",
+                                 (folder / name).string()};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  ProcessResult resume(const std::string& name, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> all{"resume", (folder / name).string()};
+    all.insert(all.end(), more.begin(), more.end());
+    return freshet(all);
+  }
+  std::vector<fs::path> checkpoints(const std::string& name) const {
+    std::vector<fs::path> all;
+    if (fs::exists(folder / name / "checkpoints"))
+      for (const auto& entry : fs::directory_iterator(folder / name / "checkpoints"))
+        all.push_back(entry.path());
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+  /// The state, the tables and the pictures are to the byte those of a run without a stop.
+  void expect_same_run(const std::string& a, const std::string& b) const {
+    const auto files = files_below(folder / a);
+    EXPECT_EQ(files, files_below(folder / b));
+    for (const std::string& file : files) {
+      if (file.ends_with(".json") || file == "scene.toml" || file.starts_with("checkpoints/"))
+        continue;
+      EXPECT_EQ(read_text(folder / a / file), read_text(folder / b / file)) << file;
+    }
+    for (const char* key : {"state_sha256", "kept_sha256", "steps", "time_steps", "statistics"})
+      EXPECT_EQ(report_of(folder / a).at(key), report_of(folder / b).at(key)) << key;
+    expect_whole_run(folder / b);
+  }
+  const TemporaryFolder folder;
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// 5 moments, or as many as FRESHET_KILLS says; the run takes about as long as its undisturbed twin.
+TEST_F(Resume, AfterAKillAtAnyMoment) {
+  const double start = now();
+  ASSERT_EQ(freshet(arguments("whole")).code, 0);
+  const double seconds = now() - start;
+  const char* asked = std::getenv("FRESHET_KILLS");
+  const int kills = asked ? std::atoi(asked) : 5;
+  std::minstd_rand random(7);
+  int resumed = 0;
+  for (int k = 0; k < kills; ++k) {
+    const std::string name = "killed" + std::to_string(k);
+    const double moment = seconds * std::uniform_real_distribution<>(0.02, 0.98)(random);
+    Process killed(freshet_command(arguments(name)));
+    std::this_thread::sleep_for(std::chrono::duration<double>(moment));
+    killed.send(SIGKILL);
+    killed.finish();
+    if (fs::exists(folder / name / "report.json")) continue;  // it was through
+    const auto r = resume(name);
+    if (checkpoints(name).empty()) {
+      EXPECT_EQ(r.code, fs::exists(folder / name) ? 2 : 1) << r.err;
+      continue;
+    }
+    ++resumed;
+    ASSERT_EQ(r.code, 0) << r.err << " killed after " << moment << " s";
+    expect_same_run("whole", name);
+    fs::remove_all(folder / name);
+  }
+  EXPECT_GT(resumed, 0);
+}
+
+TEST_F(Resume, TwiceAndAfterCtrlC) {
+  ASSERT_EQ(freshet(arguments("whole")).code, 0);
+  const auto r = freshet(arguments("cut", {"--set", "time.end=30", "--log", "json"}),
+                         {.signal = SIGINT, .signal_after = "progress"});
+  ASSERT_EQ(r.code, 130) << r.err;
+  expect_whole_run(folder / "cut");
+  EXPECT_EQ(report_of(folder / "cut").at("state"), "interrupted");
+  ASSERT_FALSE(checkpoints("cut").empty());
+  const std::int64_t steps = report_of(folder / "cut").at("steps");
+  EXPECT_TRUE(contains(checkpoints("cut").back().string(), std::to_string(steps)));
+  // to an end that is 40 steps ahead
+  const std::string end = "time.end=" + std::to_string(double(steps + 40) * 0.0005);
+  const auto on = resume("cut", {"--set", end});
+  EXPECT_EQ(on.code, 0) << on.err;
+  ASSERT_EQ(freshet(arguments("long", {"--set", end})).code, 0);
+  EXPECT_EQ(report_of(folder / "cut").at("state_sha256"),
+            report_of(folder / "long").at("state_sha256"));
+}
+
+TEST_F(Resume, ProlongsARunAsIfItHadBeenLonger) {
+  ASSERT_EQ(freshet(arguments("whole")).code, 0);
+  ASSERT_EQ(freshet(arguments("short", {"--set", "time.end=0.1"})).code, 0);
+  const auto at_end = resume("short");
+  EXPECT_EQ(at_end.code, 2);
+  EXPECT_TRUE(contains(at_end.err, "has reached its end, 0.1 s; --set time.end=")) << at_end.err;
+  const auto r = resume("short", {"--set", "time.end=0.25"});
+  ASSERT_EQ(r.code, 0) << r.err;
+  expect_same_run("whole", "short");
+}
+
+TEST_F(Resume, FromTheOneBeforeATornOrDamagedOne) {
+  ASSERT_EQ(freshet(arguments("whole")).code, 0);
+  for (const bool torn : {true, false}) {
+    const std::string name = torn ? "torn" : "damaged";
+    ASSERT_EQ(freshet(arguments(name, {"--set", "time.end=0.1"})).code, 0);
+    ASSERT_EQ(checkpoints(name).size(), 2u) << "the last two stay";
+    const fs::path newest = checkpoints(name).back();
+    std::string bytes = read_text(newest);
+    if (torn) bytes.resize(bytes.size() / 3);
+    else bytes[bytes.size() / 2] = char(bytes[bytes.size() / 2] ^ 4);
+    write_text(newest, bytes);
+    const auto r = resume(name, {"--set", "time.end=0.25"});
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_TRUE(contains(r.err, newest.string() + ": warning: this checkpoint is " + name))
+        << r.err;
+    EXPECT_TRUE(contains(r.err, "; going on from step 180")) << r.err;
+    expect_same_run("whole", name);
+  }
+}
+
+TEST_F(Resume, WithNoWholeCheckpointSaysSoAndTouchesNothing) {
+  ASSERT_EQ(freshet(arguments("run", {"--set", "time.end=0.1"})).code, 0);
+  for (const fs::path& file : checkpoints("run")) write_text(file, "nothing");
+  const auto before = read_text(folder / "run/manifest.json");
+  const auto r = resume("run", {"--set", "time.end=0.25"});
+  EXPECT_EQ(r.code, 1);
+  EXPECT_TRUE(contains(r.err, "step_000000200.h5: error: this is no checkpoint")) << r.err;
+  EXPECT_TRUE(contains(r.err, "step_000000180.h5: error: this is no checkpoint")) << r.err;
+  EXPECT_EQ(before, read_text(folder / "run/manifest.json"));
+}
+
+TEST_F(Resume, RefusesWhatIsNoRun) {
+  fs::create_directories(folder / "empty");
+  const auto none = resume("empty");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_TRUE(contains(none.err, "this folder holds no run")) << none.err;
+  const auto nowhere = resume("nowhere");
+  EXPECT_EQ(nowhere.code, 1);
+  EXPECT_TRUE(contains(nowhere.err, "cannot open this folder")) << nowhere.err;
+}
+
+TEST_F(Resume, ChangesNothingThatStepsDependOn) {
+  ASSERT_EQ(freshet(arguments("run", {"--set", "time.end=0.1"})).code, 0);
+  for (const char* change : {"particles.spacing=0.1", "time.step=0.001", "solver.backend=reference",
+                             "fluid.viscosity=1", "time.ending=2"}) {
+    const auto r = resume("run", {"--set", change});
+    EXPECT_EQ(r.code, 2) << change;
+    const std::string key = std::string(change).substr(0, std::string(change).find('='));
+    EXPECT_TRUE(contains(r.err, "--set " + key + ": error: this changes what has been simulated"))
+        << r.err;
+  }
+  const auto typo = resume("run", {"--set", "output.frame_evry=1"});
+  EXPECT_EQ(typo.code, 2);
+  EXPECT_TRUE(contains(typo.err, "did you mean output.frame_every")) << typo.err;
+}
+
+// A disk that fills up while a checkpoint is written: the ones before stay, and the run goes on
+// from there when there is room again.
+TEST_F(Resume, AfterAFullDisk) {
+  ASSERT_EQ(freshet(arguments("whole")).code, 0);
+  ASSERT_EQ(freshet(arguments("full", {"--set", "time.end=0.1"})).code, 0);
+  const auto before = checkpoints("full");
+  std::vector<std::string> on{"resume", (folder / "full").string(), "--set", "time.end=0.25"};
+  const auto r = freshet(on, {.file_limit = fs::file_size(before.back()) / 2});
+  EXPECT_EQ(r.code, 1);
+  EXPECT_TRUE(contains(r.err, "error: cannot write: ")) << r.err;
+  EXPECT_TRUE(contains(r.err, "the last good checkpoint is " + before.back().string())) << r.err;
+  EXPECT_EQ(before, checkpoints("full"));
+  const auto again = freshet(on);
+  ASSERT_EQ(again.code, 0) << again.err;
+  fs::remove(folder / "full/failure.png");
+  EXPECT_EQ(report_of(folder / "full").at("state_sha256"),
+            report_of(folder / "whole").at("state_sha256"));
+}
+
+// The folder of a run needs nothing outside.
+TEST_F(Resume, AfterItsFileOfPointsIsGone) {
+  std::string points = "x,y\n";
+  for (int k = 0; k < 40; ++k)
+    points +=
+        std::to_string(0.1 + 0.05 * (k % 8)) + "," + std::to_string(0.1 + 0.05 * (k / 8)) + "\n";
+  write_text(folder / "points.csv", points);
+  std::string text = scene;
+  text.replace(text.find("min = [0.0, 0.0]\nmax = [0.4, 0.6]"), 33,
+               "shape = \"points\"\nfile = \"points.csv\"");
+  write_text(folder / "scene.toml", text);
+  const auto first = freshet(arguments("run", {"--set", "time.end=0.1"}));
+  ASSERT_EQ(first.code, 0) << first.err;
+  fs::remove(folder / "points.csv");
+  fs::rename(folder / "run", folder / "elsewhere");
+  const auto r = resume("elsewhere", {"--set", "time.end=0.12"});
+  EXPECT_EQ(r.code, 0) << r.err;
+  expect_whole_run(folder / "elsewhere");
+  const auto again = freshet(
+      {"run", (folder / "elsewhere/scene.toml").string(), "--output", (folder / "again").string()});
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(report_of(folder / "again").at("state_sha256"),
+            report_of(folder / "elsewhere").at("state_sha256"));
+}
+
+}  // namespace
+}  // namespace freshet::test

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "io/checkpoint.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "sim/small_scenes.h"
+
+namespace freshet {
+namespace {
+
+constexpr const char* scene = R"([domain]
+max = [1.0, 1.0]
+[particles]
+spacing = 0.1
+[fluid]
+min = [0.0, 0.0]
+max = [0.5, 0.5]
+[solver]
+name = "wcsph"
+[time]
+end = 1.0
+step = 0.001
+)";
+
+Checkpoint checkpoint() {
+  Simulation sim = test::simulation_of(scene);
+  for (int k = 0; k < 3; ++k) sim.step();
+  Checkpoint c = sim.checkpoint();
+  c.run.scene_name = "a name";
+  c.run.frames = 7;
+  c.run.observables = "step,\n0,\n";
+  c.run.wall_forces = {{0.1, 1e-300}, {-3, 0}};
+  return c;
+}
+
+std::string message_of(const std::function<void()>& f) {
+  try {
+    f();
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+std::string refusal(const std::string& bytes) {
+  return message_of([&] { decode_checkpoint(bytes, "step.h5"); });
+}
+
+TEST(CheckpointFile, GivesBackWhatItWasGiven) {
+  const Checkpoint a = checkpoint(), b = decode_checkpoint(encode_checkpoint(a), "step.h5");
+  EXPECT_EQ(a.scene, b.scene);
+  EXPECT_EQ(3, b.steps);
+  EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.run.wall_forces, b.run.wall_forces);
+  EXPECT_EQ(a.run.observables, b.run.observables);
+  EXPECT_EQ("a name", b.run.scene_name);
+  EXPECT_EQ(7, b.run.frames);
+  ASSERT_EQ(a.arrays.size(), b.arrays.size());
+  for (const auto& array : a.arrays) {
+    const auto same = std::find_if(b.arrays.begin(), b.arrays.end(),
+                                   [&](const auto& other) { return other.name == array.name; });
+    ASSERT_NE(same, b.arrays.end()) << array.name;
+    EXPECT_EQ(array.bytes, same->bytes) << array.name;
+    EXPECT_EQ(array.count, same->count) << array.name;
+  }
+  EXPECT_TRUE(encode_checkpoint(a) == encode_checkpoint(checkpoint()))
+      << "equal states are equal bytes";
+}
+
+TEST(CheckpointFile, IsNotReadTorn) {
+  const std::string bytes = encode_checkpoint(checkpoint());
+  for (const std::size_t size : {std::size_t(0), std::size_t(10), std::size_t(511),
+                                 std::size_t(512), bytes.size() / 2, bytes.size() - 1}) {
+    const std::string words = refusal(bytes.substr(0, size));
+    EXPECT_TRUE(words.starts_with("step.h5: error: this checkpoint is torn: ")) << words;
+  }
+  EXPECT_NE(std::string::npos, refusal(bytes + "x").find("is damaged"));
+}
+
+TEST(CheckpointFile, IsNotReadWithAnyBitFlipped) {
+  const std::string bytes = encode_checkpoint(checkpoint());
+  const auto flipped = [&](std::size_t at, int bit) {
+    std::string other = bytes;
+    other[at] = char(other[at] ^ (1 << bit));
+    return refusal(other);
+  };
+  for (std::size_t at = 0; at < 512; ++at)
+    for (int bit = 0; bit < 8; ++bit) EXPECT_NE("no error", flipped(at, bit)) << at;
+  for (std::size_t at = 512; at < bytes.size(); at += 997)
+    EXPECT_EQ(
+        "step.h5: error: this checkpoint is damaged: its bytes are not those that its "
+        "SHA-256 was made of",
+        flipped(at, int(at % 8)))
+        << at;
+}
+
+TEST(CheckpointFile, OfAnotherFormatNamesTheVersion) {
+  std::string bytes = encode_checkpoint(checkpoint());
+  bytes[bytes.find("format 1") + 7] = '2';
+  bytes[bytes.find("version 0.1.0") + 8] = '9';
+  EXPECT_EQ(
+      "step.h5: error: this checkpoint has format 2, written by Freshet 9.1.0; this program, "
+      "Freshet 0.1.0, reads format 1; go on with that version",
+      refusal(bytes));
+}
+
+TEST(CheckpointFile, OfSomethingElseIsRefused) {
+  EXPECT_EQ("step.h5: error: this is no checkpoint of Freshet, or its first bytes are damaged",
+            refusal(std::string(2000, 'x')));
+}
+
+// Into another scene: the simulation stays as it was.
+TEST(Restore, RefusesAnotherScene) {
+  const Checkpoint c = checkpoint();
+  const auto with = [&](const std::vector<Override>& changes) {
+    Simulation sim(parse_scene(scene, "test.toml", changes));
+    const std::string before = sim.state_sha256();
+    const std::string words = message_of([&] { sim.restore(c); });
+    EXPECT_EQ(before, sim.state_sha256());
+    return words;
+  };
+  EXPECT_NE(std::string::npos, with({{"particles.spacing", "0.05"}}).find("another resolution"));
+  EXPECT_NE(std::string::npos, with({{"solver.name", "delta_sph"}}).find("another solver"));
+  EXPECT_NE(std::string::npos, with({{"domain.max", "[1.1, 1.0]"}, {"walls.x_max", "open"}})
+                                   .find("this checkpoint is not of this scene"));
+}
+
+}  // namespace
+}  // namespace freshet

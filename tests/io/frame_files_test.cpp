@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "io/frame_files.h"
+
+#include <gtest/gtest.h>
+
+#include "cli/files.h"
+#include "freshet/error.h"
+#include "io/frame_data.h"
+#include "io/sample_frame.h"
+
+namespace freshet::test {
+namespace {
+
+constexpr DataFormat formats[] = {DataFormat::vtp, DataFormat::ply, DataFormat::csv,
+                                  DataFormat::hdf5};
+
+std::string refused(const std::string& bytes, const std::string& file) {
+  try {
+    frame_in(bytes, file);
+    return "read without an error";
+  } catch (const Error& e) {
+    return e.what();
+  }
+}
+
+TEST(ReadFrame, GivesBackWhatWasWritten) {
+  for (const DataFormat format : formats)
+    for (const int dimension : {2, 3})
+      for (const std::uint64_t first : {std::uint64_t(0), std::uint64_t(1) << 40}) {
+        SCOPED_TRACE(data_file(format, dimension));
+        const Frame f = sample_frame(dimension, 7, first);
+        expect_same(f, frame_in(encode_frame(format, f, {}), data_file(format, 0)));
+      }
+}
+
+TEST(ReadFrame, FillsWhatIsMissing) {
+  DataFields few;
+  few.velocity = few.density = few.pressure = few.id = false;
+  for (const DataFormat format : formats) {
+    SCOPED_TRACE(data_file(format, 0));
+    const Frame f = sample_frame(3, 4);
+    Frame bare = f;
+    bare.v.assign(12, 0);
+    bare.density = bare.pressure = {0, 0, 0, 0};
+    bare.id = {0, 1, 2, 3};
+    expect_same(bare, frame_in(encode_frame(format, f, few), data_file(format, 0)));
+  }
+}
+
+TEST(ReadFrame, ReadsAFrameWithoutParticles) {
+  for (const DataFormat format : {DataFormat::vtp, DataFormat::ply, DataFormat::hdf5}) {
+    SCOPED_TRACE(data_file(format, 0));
+    const Frame f = sample_frame(2, 0);
+    expect_same(f, frame_in(encode_frame(format, f, {}), data_file(format, 0)));
+  }
+}
+
+TEST(ReadFrame, NeverTakesATornFileForAWholeOne) {
+  for (const DataFormat format : formats) {
+    const std::string whole = encode_frame(format, sample_frame(2, 40), {});
+    for (std::size_t n = 1; n + 1 < whole.size(); n += 13) {
+      if (format == DataFormat::csv && whole[n - 1] == '\n') continue;  // a whole file of less
+      EXPECT_THROW(frame_in(whole.substr(0, n), data_file(format, 0)), Error)
+          << data_file(format, 0) << " cut to " << n << " of " << whole.size();
+    }
+  }
+}
+
+TEST(ReadFrame, TellsWhatIsWrong) {
+  EXPECT_EQ("a.txt: error: not *.h5, *.vtp, *.ply or *.csv; name a data file of a run",
+            refused("x,y\n1,2\n", "a.txt"));
+  EXPECT_EQ("a.csv:1: error: there is no x or no y; is it the right file?", refused("", "a.csv"));
+  EXPECT_EQ("a.csv:2: error: a number is inf; the file is damaged",
+            refused("x,y\n1,inf\n", "a.csv"));
+  EXPECT_EQ("a.csv: error: the last line has no end; the file is cut off",
+            refused("x,y\n1,2.", "a.csv"));
+  EXPECT_EQ("a.csv:1: error: y is named twice; name every column once",
+            refused("x,y,y\n", "a.csv"));
+  EXPECT_EQ(
+      "a.csv:2: error: an id or a step is -1, and they are whole numbers; the file is damaged",
+      refused("x,y,id\n1,2,-1\n", "a.csv"));
+  EXPECT_EQ("a.ply:3: error: its dimension is neither 2 nor 3; the file is damaged",
+            refused("ply\nformat ascii 1.0\ncomment dimension 4\n", "a.ply"));
+  EXPECT_EQ("a.ply:7: error: there is no z; the file is damaged",
+            refused("ply\nformat ascii 1.0\ncomment dimension 3\nelement vertex 0\n"
+                    "property float x\nproperty float y\nend_header\n",
+                    "a.ply"));
+  EXPECT_EQ("a.h5: error: not a whole HDF5 file; is it cut off, or of another kind?",
+            refused("x,y\n1,2\n", "a.h5"));
+  EXPECT_EQ("a.h5: error: not a whole HDF5 file; is it cut off, or of another kind?",
+            refused("", "a.h5"));
+}
+
+TEST(ReadFrame, NeedsAFileThatIsThere) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(read_frame(folder / "frame_0000.vtp"), Error);
+  EXPECT_THROW(read_frame(folder.path()), Error);
+  write_text(folder / "a.ply", encode_ply(sample_frame(2, 3)));
+  expect_same(sample_frame(2, 3), read_frame(folder / "a.ply"));
+}
+
+TEST(FrameFiles, AreOfTheBestFormatInOrder) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(frame_files(folder.path()).empty());
+  const auto put = [&](const std::string& name) { write_text(folder / ("data/" + name), "x"); };
+  put("frame_0000.csv");
+  EXPECT_EQ(std::vector{folder / "data/frame_0000.csv"}, frame_files(folder.path()));
+  for (const char* name : {"frame_10000.vtp", "frame_0002.vtp", "frame_9999.vtp", "frames.pvd",
+                           "other.vtp", "frame_0001.ply"})
+    put(name);
+  EXPECT_EQ((std::vector{folder / "data/frame_0002.vtp", folder / "data/frame_9999.vtp",
+                         folder / "data/frame_10000.vtp"}),
+            frame_files(folder.path()));
+  put("frame_0003.h5");
+  EXPECT_EQ(std::vector{folder / "data/frame_0003.h5"}, frame_files(folder.path()));
+}
+
+}  // namespace
+}  // namespace freshet::test
