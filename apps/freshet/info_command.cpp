@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "command.h"
+#include "freshet/checkpoint.h"
 #include "freshet/derived.h"
 #include "freshet/simulation.h"
 #include "machine.h"
@@ -13,8 +14,12 @@
 namespace freshet::cli {
 namespace {
 
-/// The seconds that one step takes, measured over a fifth of a second of steps.
-double seconds_per_step(const Scene& scene, const Execution& execution) {
+struct Cost {
+  double seconds_per_step;  ///< measured over a fifth of a second of steps
+  double checkpoint_bytes;
+};
+
+Cost measure(const Scene& scene, const Execution& execution) {
   using Clock = std::chrono::steady_clock;
   Simulation sim(scene, execution);
   const auto start = Clock::now();
@@ -23,7 +28,7 @@ double seconds_per_step(const Scene& scene, const Execution& execution) {
     sim.step();
     seconds = std::chrono::duration<double>(Clock::now() - start).count();
   }
-  return seconds / double(sim.steps_done());
+  return {seconds / double(sim.steps_done()), double(checkpoint_bytes(sim))};
 }
 
 void row(const char* name, const std::string& value) { fmt::print("  {:<24}{}\n", name, value); }
@@ -108,11 +113,13 @@ void info(const SceneArguments& a) {
     row("computed by",
         fmt::format("{} threads, {}", thread_count(a.threads), instruction_set(a.isa)));
   else row("computed by", "one thread, scalar (reference)");
-  const double per_step = seconds_per_step(s, a.execution());
-  row("run time", fmt::format("about {:.2g} s on this machine ({:.3g} ms a step, measured)",
-                              per_step * double(s.steps()), 1e3 * per_step));
+  const Cost cost = measure(s, a.execution());
+  row("run time",
+      fmt::format("about {:.2g} s on this machine ({:.3g} ms a step, measured)",
+                  cost.seconds_per_step * double(s.steps()), 1e3 * cost.seconds_per_step));
   row("memory", fmt::format("{}B", short_number(peak_memory())));
-  row("disk", disk_row(s, d));
+  row("disk", disk_row(s, d) + fmt::format("; {}B for two checkpoints",
+                                           short_number(2 * cost.checkpoint_bytes)));
   print_diagnostics(scene_warnings(s));
 }
 
