@@ -2,26 +2,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <atomic>
-#include <csignal>
 #include <filesystem>
 
 #include "command.h"
 #include "freshet/render.h"
+#include "interrupts.h"
 
 namespace freshet::cli {
 namespace {
-
-std::atomic<bool> stop_asked{false};
-
-/// The first Ctrl-C ends after the picture at hand; a second one kills.
-void catch_interrupts() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { stop_asked = true; };
-  action.sa_flags = int(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
 
 struct RenderArguments {
   std::string run, output, video;
@@ -43,7 +31,7 @@ int render_run(const RenderArguments& a) {
   options.after_picture = [bar](std::size_t done, std::size_t all) {
     if (bar) fmt::print("\r{} of {} pictures", done, all);
     if (bar) std::fflush(stdout);
-    return !stop_asked;
+    return !stop_asked();
   };
   catch_interrupts();
   const RenderReport r = render(options);

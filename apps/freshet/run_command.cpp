@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <atomic>
-#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "command.h"
 #include "freshet/run.h"
+#include "interrupts.h"
 #include "progress.h"
 
 namespace freshet::cli {
 namespace {
-
-std::atomic<bool> stop_asked{false};
-
-/// The first Ctrl-C ends the run after its step; a second one kills it.
-void catch_interrupts() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { stop_asked = true; };
-  action.sa_flags = int(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
 
 struct RunArguments {
   SceneArguments scene;
@@ -111,7 +99,7 @@ struct Outcome {
       if (!std::exchange(started, true)) progress.start(sim);
       progress.update(sim, seconds);
       while (told < sim.warnings().size()) tell(sim.warnings()[told++], progress);
-      return !stop_asked;
+      return !stop_asked();
     };
   }
   template <class Run> int of(Run run, const std::filesystem::path& output) {

@@ -21,9 +21,22 @@
 #include "io/sha256.h"
 
 namespace freshet {
+
+// What run.json holds. A change here is a change of the format.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeSteps, last, last_ruled, min, max, ruled)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Warning, kind, message, first_step, last_step, worst_step,
+                                   first_time, looks, worst, bound, cannot_be_right)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WatchRecord::Track, lasting, fatal, steps)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WatchRecord::Densest, id, x, value)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WatchRecord, warnings, tracks, steps_watched, first_step,
+                                   first_compression, first_bound, first_densest)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunRecord, scene_name, frames, data_times, seconds, observables,
+                                   wall_forces, observed_step, frame_step, data_step,
+                                   scheduled_frames, scheduled_data, scheduled_observables)
+
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 // The format changes with whatever makes an older program misread a newer file, or the reverse.
 constexpr int format = 1;
@@ -78,55 +91,13 @@ void read_array(const Hdf5Reader& file, Checkpoint::Array& a) {
   if (a.bytes.size() != a.StateArray::bytes()) throw std::runtime_error("sizes differ: " + a.name);
 }
 
-Json json_of(const WatchRecord& w) {
-  Json warnings = Json::array();
-  for (std::size_t k = 0; k < w.warnings.size(); ++k) {
-    const Warning& a = w.warnings[k];
-    warnings.push_back({{"kind", a.kind},
-                        {"message", a.message},
-                        {"first_step", a.first_step},
-                        {"last_step", a.last_step},
-                        {"worst_step", a.worst_step},
-                        {"first_time", a.first_time},
-                        {"looks", a.looks},
-                        {"worst", finite(a.worst)},
-                        {"bound", a.bound},
-                        {"cannot_be_right", a.cannot_be_right},
-                        {"lasting", w.tracks[k].lasting},
-                        {"fatal", w.tracks[k].fatal},
-                        {"steps", w.tracks[k].steps}});
-  }
-  const WatchRecord::Densest& d = w.first_densest;
-  return {{"warnings", warnings},
-          {"steps_watched", w.steps_watched},
-          {"first_step", w.first_step},
-          {"first_compression", finite(w.first_compression)},
-          {"first_bound", finite(w.first_bound)},
-          {"first_densest", {{"id", d.id}, {"x", d.x}, {"value", finite(d.value)}}}};
-}
-
-void read_json(const Json& json, WatchRecord& w) {
-  for (const Json& entry : json.at("warnings")) {
-    Warning a;
-    entry.at("kind").get_to(a.kind);
-    entry.at("message").get_to(a.message);
-    entry.at("first_step").get_to(a.first_step);
-    entry.at("last_step").get_to(a.last_step);
-    entry.at("worst_step").get_to(a.worst_step);
-    entry.at("first_time").get_to(a.first_time);
-    entry.at("looks").get_to(a.looks);
-    entry.at("worst").get_to(a.worst);
-    entry.at("bound").get_to(a.bound);
-    entry.at("cannot_be_right").get_to(a.cannot_be_right);
-    w.warnings.push_back(a);
-    w.tracks.push_back({entry.at("lasting"), entry.at("fatal"), entry.at("steps")});
-  }
-  json.at("steps_watched").get_to(w.steps_watched);
-  json.at("first_step").get_to(w.first_step);
-  json.at("first_compression").get_to(w.first_compression);
-  json.at("first_bound").get_to(w.first_bound);
-  const Json& d = json.at("first_densest");
-  w.first_densest = {d.at("id"), d.at("x"), d.at("value")};
+WatchRecord finite(WatchRecord w) {
+  for (Warning& warning : w.warnings) warning.worst = finite(warning.worst);
+  w.first_compression = finite(w.first_compression);
+  w.first_bound = finite(w.first_bound);
+  w.first_densest.value = finite(w.first_densest.value);
+  for (double& x : w.first_densest.x) x = finite(x);
+  return w;
 }
 
 Json json_of(const Checkpoint& c) {
@@ -140,25 +111,9 @@ Json json_of(const Checkpoint& c) {
           {"time", c.time},
           {"forces_asked", c.forces_asked},
           {"walls_sha256", c.walls_sha256},
-          {"watch", json_of(c.watch)},
-          {"time_steps",
-           {{"last", c.time_steps.last},
-            {"min", c.time_steps.min},
-            {"max", c.time_steps.max},
-            {"last_ruled", c.time_steps.last_ruled},
-            {"ruled", c.time_steps.ruled}}},
-          {"scene_name", c.run.scene_name},
-          {"observed_step", c.run.observed_step},
-          {"frame_step", c.run.frame_step},
-          {"data_step", c.run.data_step},
-          {"scheduled_frames", c.run.scheduled_frames},
-          {"scheduled_data", c.run.scheduled_data},
-          {"scheduled_observables", c.run.scheduled_observables},
-          {"frames", c.run.frames},
-          {"data_times", c.run.data_times},
-          {"seconds", c.run.seconds},
-          {"observables", c.run.observables},
-          {"wall_forces", c.run.wall_forces},
+          {"time_steps", c.time_steps},
+          {"watch", finite(c.watch)},
+          {"run", c.run},
           {"arrays", arrays}};
 }
 
@@ -166,26 +121,10 @@ void read_json(const Json& json, Checkpoint& c) {
   json.at("steps").get_to(c.steps);
   json.at("time").get_to(c.time);
   json.at("forces_asked").get_to(c.forces_asked);
-  read_json(json.at("watch"), c.watch);
   json.at("walls_sha256").get_to(c.walls_sha256);
-  const Json& steps = json.at("time_steps");
-  steps.at("last").get_to(c.time_steps.last);
-  steps.at("min").get_to(c.time_steps.min);
-  steps.at("max").get_to(c.time_steps.max);
-  steps.at("last_ruled").get_to(c.time_steps.last_ruled);
-  steps.at("ruled").get_to(c.time_steps.ruled);
-  json.at("scene_name").get_to(c.run.scene_name);
-  json.at("observed_step").get_to(c.run.observed_step);
-  json.at("frame_step").get_to(c.run.frame_step);
-  json.at("data_step").get_to(c.run.data_step);
-  json.at("scheduled_frames").get_to(c.run.scheduled_frames);
-  json.at("scheduled_data").get_to(c.run.scheduled_data);
-  json.at("scheduled_observables").get_to(c.run.scheduled_observables);
-  json.at("frames").get_to(c.run.frames);
-  json.at("data_times").get_to(c.run.data_times);
-  json.at("seconds").get_to(c.run.seconds);
-  json.at("observables").get_to(c.run.observables);
-  json.at("wall_forces").get_to(c.run.wall_forces);
+  json.at("time_steps").get_to(c.time_steps);
+  json.at("watch").get_to(c.watch);
+  json.at("run").get_to(c.run);
   for (const Json& a : json.at("arrays"))
     c.arrays.push_back({{a.at("name"), nullptr, a.at("count"), a.at("components"),
                          number_of(a.at("number")), StateArray::Role::other},

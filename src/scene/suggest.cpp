@@ -31,8 +31,8 @@ std::string nearest(std::string_view typed, const std::set<std::string, std::les
   if (typed.size() > 100) return best;
   std::size_t least = std::max<std::size_t>(1, typed.size() / 3) + 1;
   for (const std::string& word : words) {
-    const auto [shorter, longer] = std::minmax(typed.size(), word.size());
-    if (longer - shorter >= least) continue;  // so far apart at least
+    const std::size_t shorter = std::min(typed.size(), word.size());
+    if (std::max(typed.size(), word.size()) - shorter >= least) continue;  // so far apart at least
     if (const std::size_t d = distance(typed, word); d < least) least = d, best = word;
   }
   return best;
