@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "scene/overrides.h"
@@ -17,7 +20,8 @@ Inputs inputs_of(const Scene& scene) {
     const std::filesystem::path file = region.file;
     // no TOML value, so that it is taken as text
     const std::string name = fmt::format("inputs/{}_{}_{}", table, k, file.filename().string());
-    inputs.files.emplace_back(name, file);
+    std::ifstream in(file, std::ios::binary);
+    inputs.files.emplace_back(name, std::string(std::istreambuf_iterator<char>(in), {}));
     names.emplace_back(fmt::format("{}[{}].file", table, k), name);
   };
   for (std::size_t k = 0; k < scene.fluid.size(); ++k) add("fluid", k, scene.fluid[k]);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,10 +9,10 @@
 namespace freshet {
 
 /// A scene as it lies in the folder of its run, which needs nothing outside: its text, and the
-/// files that it reads, by the names that the text gives them.
+/// contents of the files that it reads, by the names that the text gives them.
 struct Inputs {
   std::string source;
-  std::vector<std::pair<std::string, std::filesystem::path>> files;
+  std::vector<std::pair<std::string, std::string>> files;
 };
 Inputs inputs_of(const Scene& scene);
 

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 #include "io/frame_data.h"
@@ -32,7 +30,7 @@ std::vector<std::string> planned_files(const Schedule& schedule, const Inputs& i
                                        const Scene::Output& output) {
   std::vector<std::string> files{"result.png", "observables.csv", "scene.toml", "report.json"};
   for (std::int64_t k = 0; k < schedule.frames(); ++k) files.push_back(frame_name(k));
-  for (const auto& [name, file] : inputs.files) files.push_back(name);
+  for (const auto& [name, bytes] : inputs.files) files.push_back(name);
   for (std::string& name : data_files(output, schedule.data_frames())) files.push_back(name);
   return files;
 }
@@ -43,11 +41,6 @@ Provenance provenance(const Scene& scene, const Execution& execution,
   return {command, backend_words[int(scene.solver.backend)],
           cpu ? instruction_set(execution.isa) : "plain",
           cpu ? thread_count(execution.threads) : 1};
-}
-
-std::string read_whole(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace
@@ -63,7 +56,7 @@ Observer::Observer(Simulation& sim, const RunOptions& options)
       video_(options.video) {
   record_.scene_name = options.scene_name;
   record_.observables = observables_header(sim.scene());
-  for (const auto& [name, file] : inputs_.files) folder_.write(name, read_whole(file));
+  for (const auto& [name, bytes] : inputs_.files) folder_.write(name, bytes);
   folder_.write("scene.toml", inputs_.source);
   const auto& picture = sim.scene().picture;
   if (video_) film_.emplace(video_->file, int(picture.width), int(picture.height), video_->fps);

@@ -47,7 +47,7 @@ class Observer {
   Simulation& sim_;
   Schedule schedule_;
   RunRecord record_;
-  Inputs inputs_;
+  Inputs inputs_;     // read before the folder is cleared, where they may lie
   RunFolder folder_;  // the background's, until it has come to rest
   std::optional<VideoOptions> video_;
   std::optional<Video> film_;

@@ -78,7 +78,8 @@ bool may_change(const std::string& key) {
 /// The newest checkpoint that is whole; what is wrong with newer ones is told.
 Checkpoint newest_checkpoint(const ResumeOptions& options) {
   std::vector<Diagnostic> wrong;
-  for (const fs::path& file : checkpoints_of(options.folder)) try {
+  for (const fs::path& file : checkpoints_of(options.folder)) {
+    try {
       Checkpoint c = read_checkpoint(file);
       for (Diagnostic& d : wrong) {
         d.severity = Diagnostic::Severity::warning;
@@ -89,6 +90,7 @@ Checkpoint newest_checkpoint(const ResumeOptions& options) {
     } catch (const Error& error) {
       wrong.push_back(error.diagnostics().front());
     }
+  }
   if (!wrong.empty()) throw Error(Error::Kind::run, std::move(wrong));
   const bool is_run = fs::exists(options.folder / "manifest.json");
   throw Error(Error::Kind::scene, options.folder.string(),

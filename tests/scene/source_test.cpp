@@ -29,7 +29,7 @@ TEST(SceneSource, OfARunNamesCopiesOfItsFiles) {
     const Scene scene = load_scene(folder / "mine/scene.toml");
     const Inputs inputs = inputs_of(scene);
     ASSERT_EQ(1u, inputs.files.size());
-    EXPECT_EQ(folder / "mine/water.csv", inputs.files[0].second);
+    EXPECT_EQ(read_text(folder / "mine/water.csv"), inputs.files[0].second);
     EXPECT_EQ("inputs/fluid_0_water.csv", inputs.files[0].first);
     write_text(folder / "run/inputs/fluid_0_water.csv", read_text(folder / "mine/water.csv"));
     write_text(folder / "run/scene.toml", inputs.source);
