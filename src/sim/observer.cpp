@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <memory>
 
 #include "io/frame_data.h"
@@ -202,14 +203,14 @@ std::string Observer::fail() {
     folder_.write_more(failure_picture, encode_png(draw(sim_.scene(), sim_.frame())));
     folder_.write("observables.csv", record_.observables);
     words = fmt::format("; {} shows the moment", (folder_.path() / failure_picture).string());
-  } catch (const Error&) {  // the disk may be full: the first error is the one to tell
+  } catch (const std::exception&) {  // the disk may be full: the first error is the one to tell
   }
   if (!checkpoints_.empty())
     words += fmt::format("; the last good checkpoint is {}",
                          (folder_.path() / checkpoints_.back()).string());
   try {
     folder_.finish("failed");
-  } catch (const Error&) {
+  } catch (const std::exception&) {
   }
   return words;
 }

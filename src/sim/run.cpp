@@ -63,6 +63,9 @@ Report run_observed(Simulation& sim, Observer& observer, const AfterStep& after_
     return report;
   } catch (const Error& error) {
     rethrow(error, observer.fail());
+  } catch (...) {  // memory that ran out, say: the manifest has its last word all the same
+    observer.fail();
+    throw;
   }
 }
 
