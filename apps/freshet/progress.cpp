@@ -35,6 +35,13 @@ std::string short_number(double value) {
   return fmt::format("{:.3g}{}", value, unit);
 }
 
+std::string solve_words(const SolveStatistics& s) {
+  return fmt::format(
+      "{:.3g} iterations, at most {}; error {:.3g} %, at worst {:.3g} %; {} of {} did not converge",
+      s.mean_iterations(), s.most_iterations, 100 * s.last_error, 100 * s.worst_error,
+      s.not_converged, s.solves);
+}
+
 Progress::Style Progress::choose(bool quiet, bool json) {
   if (quiet) return Style::quiet;
   if (json) return Style::json;
@@ -53,6 +60,11 @@ void Progress::start(const Simulation& sim) {
                                {"time_step", s.time.adaptive ? *s.time.step_max : s.time.step}}
             .dump());
   begin_ = Clock::now();
+  shown_solves_ = sim.solves();
+  for (SolveStatistics& solve : shown_solves_) {  // the step that is just done is this run's
+    --solve.solves;
+    solve.iterations -= solve.last_iterations;
+  }
 }
 
 /// A bar moves ten times a second; lines come at every tenth of the run, or after ten seconds.
@@ -77,6 +89,15 @@ void Progress::update(const Simulation& sim, double seconds) {
   shown_at_ = Clock::now();
   shown_ = done;
   shown_step_ = sim.steps_done();
+  shown_solves_ = sim.solves();
+}
+
+/// The mean of a solve over the steps since it was last told.
+double Progress::iterations_since_shown(const SolveStatistics& solve) const {
+  for (const SolveStatistics& shown : shown_solves_)
+    if (shown.name == solve.name && shown.solves < solve.solves)
+      return double(solve.iterations - shown.iterations) / double(solve.solves - shown.solves);
+  return double(solve.last_iterations);
 }
 
 void Progress::show(const Simulation& sim, double seconds) {
@@ -87,21 +108,30 @@ void Progress::show(const Simulation& sim, double seconds) {
   const Statistics s = sim.statistics();
   const double particle_rate = rate * double(s.particles);
   if (style_ == Style::json) {
-    event(nlohmann::ordered_json{{"event", "progress"},
-                                 {"step", sim.steps_done()},
-                                 {"time", sim.time()},
-                                 {"steps_per_second", rate},
-                                 {"particle_steps_per_second", particle_rate},
-                                 {"eta_seconds", eta},
-                                 {"kinetic_energy", s.kinetic_energy},
-                                 {"potential_energy", s.potential_energy}}
-              .dump());
+    nlohmann::ordered_json json{{"event", "progress"},
+                                {"step", sim.steps_done()},
+                                {"time", sim.time()},
+                                {"steps_per_second", rate},
+                                {"particle_steps_per_second", particle_rate},
+                                {"eta_seconds", eta},
+                                {"kinetic_energy", s.kinetic_energy},
+                                {"potential_energy", s.potential_energy}};
+    for (const SolveStatistics& solve : sim.solves())
+      json["solves"].push_back({{"name", solve.name},
+                                {"iterations", iterations_since_shown(solve)},
+                                {"error", solve.last_error}});
+    if (!sim.solves().empty()) json["retried"] = sim.time_steps().retried;
+    event(json.dump());
     return;
   }
-  const std::string facts =
+  std::string facts =
       fmt::format("{:.4g} of {:.4g} s  {} steps/s  {} particle-steps/s  ETA {}  energy {:.4g} J",
                   sim.time(), sim.scene().time.end, short_number(rate), short_number(particle_rate),
                   duration(eta), s.kinetic_energy + s.potential_energy);
+  for (const SolveStatistics& solve : sim.solves())
+    facts += fmt::format("  {} {:.3g} iterations", solve.name, iterations_since_shown(solve));
+  if (const auto retried = sim.time_steps().retried)
+    facts += fmt::format("  {} steps halved", retried);
   if (style_ == Style::lines) return put(fmt::format("{:3.0f} %  {}\n", 100 * done, facts));
   const int width = 24, full = int(done * width);
   std::string bar;

@@ -2,6 +2,7 @@
 #pragma once
 #include <chrono>
 #include <string>
+#include <vector>
 
 #include "freshet/simulation.h"
 
@@ -26,15 +27,20 @@ class Progress {
  private:
   bool due(double done);
   void show(const Simulation& sim, double seconds);
+  double iterations_since_shown(const SolveStatistics& solve) const;
   using Clock = std::chrono::steady_clock;
 
   Style style_;
   Clock::time_point begin_ = Clock::now(), shown_at_{};
   double shown_ = 0;  // the share of the run
   std::int64_t shown_step_ = -1;
+  std::vector<SolveStatistics> shown_solves_;  // those so far
 };
 
 /// 1234567 -> "1.23 M"
 std::string short_number(double value);
+
+/// What the solves of one name came to: iterations, errors, how many did not converge.
+std::string solve_words(const SolveStatistics& solve);
 
 }  // namespace freshet::cli

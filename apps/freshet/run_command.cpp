@@ -46,6 +46,9 @@ std::string table(const Report& r) {
       fmt::format("{} ({:.1f} %)", r.picture.bright, 100 * r.picture.bright_fraction()),
       check_words(r, "bright fraction", 100, " %"));
   row("bottom third", fmt::format("{} pixels", r.picture.bottom_third));
+  for (const SolveStatistics& solve : r.solves)
+    row((solve.name + " solve").c_str(), solve_words(solve));
+  if (!r.solves.empty()) row("steps halved", std::to_string(r.time_steps.retried));
   return out;
 }
 
@@ -64,6 +67,24 @@ void tell(const Warning& w, Progress& progress) {
   print_diagnostics({{Diagnostic::Severity::warning, "", w.message}});
 }
 
+std::string end_event(const Report& r, const std::filesystem::path& output) {
+  const bool cut = r.state == Report::State::interrupted;
+  nlohmann::ordered_json json{{"event", cut ? "interrupted" : "done"},
+                              {"steps", r.steps},
+                              {"seconds", r.seconds},
+                              {"output", output.string()},
+                              {"state_sha256", r.state_sha256}};
+  for (const SolveStatistics& s : r.solves)
+    json["solves"].push_back({{"name", s.name},
+                              {"mean_iterations", s.mean_iterations()},
+                              {"most_iterations", s.most_iterations},
+                              {"error", s.last_error},
+                              {"worst_error", s.worst_error},
+                              {"not_converged", s.not_converged}});
+  if (!r.solves.empty()) json["retried"] = r.time_steps.retried;
+  return json.dump();
+}
+
 int finish(const Report& r, const std::filesystem::path& output, const Progress& progress) {
   const bool cut = r.state == Report::State::interrupted;
   progress.say(fmt::format(
@@ -71,12 +92,7 @@ int finish(const Report& r, const std::filesystem::path& output, const Progress&
       "wrote {}",
       cut ? "interrupted after " : "", r.steps, r.time, r.seconds,
       short_number(r.particle_steps_per_second()), table(r), (output / "result.png").string()));
-  progress.event(nlohmann::ordered_json{{"event", cut ? "interrupted" : "done"},
-                                        {"steps", r.steps},
-                                        {"seconds", r.seconds},
-                                        {"output", output.string()},
-                                        {"state_sha256", r.state_sha256}}
-                     .dump());
+  progress.event(end_event(r, output));
   for (const CheckResult& c : r.checks)
     if (!c.passed && !cut)
       fmt::print(stderr, "error: check failed: {} is {:g}, and must be {} {:g}\n", c.name, c.value,

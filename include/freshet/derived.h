@@ -21,12 +21,16 @@ struct Derived {
   double gradient_error;  ///< of the gradient (Spiky's, or the kernel's) of a linear field on the
                           ///< lattice
   double neighbors;       ///< in the resting lattice, the particle itself not counted
+  /// Of the solvers that solve for the pressure there is neither: for scales, ten times the faster
+  /// of a fall through the domain and of how the fluid starts, and its square.
   double stiffness, sound_speed;
-  double acoustic_step;  ///< upper bound of the time step [s]: 0.4 h/c
+  double acoustic_step;  ///< upper bound of the time step [s]: 0.4 h/c; infinity without sound
   double force_step;     ///< 0.25 √(h/|g|)
   double viscous_step;   ///< 0.125 h² ρ0/μ, all with h half the support [Monaghan 1992, 2005]
+  double flow_step;  ///< 0.4 h/|v| at the start, where the pressure is solved for; else infinity
+  double density_tolerance;  ///< of the solve for the pressure, a fraction; 0 where there is none
 
-  /// The least of the three bounds, and its name.
+  /// The least of the bounds, and its name.
   double step_bound() const;
   const char* step_bound_name() const;
 };

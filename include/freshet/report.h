@@ -33,8 +33,25 @@ struct Statistics {
 /// The time steps of a run [s], and how often each bound ruled an adaptive one.
 struct TimeSteps {
   double last = 0, min = 0, max = 0;
-  std::map<std::string, std::int64_t> ruled;  ///< "sound", "force", "viscosity", "step_max"
-  std::string last_ruled;                     ///< what ruled the last step; "fixed" if it was given
+  /// "sound", "force", "viscosity", "flow", "step_max", and "retry" for a step that was halved
+  std::map<std::string, std::int64_t> ruled;
+  std::string last_ruled;    ///< what ruled the last step; "fixed" if it was given
+  std::int64_t retried = 0;  ///< how often a step was halved, since a solve did not converge
+};
+
+/// What a solver that iterates has done over the steps so far. Errors are means over the fluid, as
+/// fractions: of max(0, rho*/rho0 - 1), or for "divergence" of max(0, dt Drho/Dt)/rho0; or the mean
+/// of what pressures hold apart beyond that, where it is more.
+struct SolveStatistics {
+  std::string name;             ///< "density" or "divergence"
+  double tolerance = 0;         ///< of the error
+  std::int64_t solves = 0;      ///< those of steps that were taken back and halved are not counted
+  std::int64_t iterations = 0;  ///< in all
+  std::int64_t most_iterations = 0;  ///< of one solve
+  std::int64_t not_converged = 0;    ///< solves that ended beyond the tolerance all the same
+  std::int64_t last_iterations = 0;
+  double last_error = 0, worst_error = 0;
+  double mean_iterations() const { return solves ? double(iterations) / double(solves) : 0; }
 };
 
 /// What the result's picture holds.
@@ -74,6 +91,7 @@ struct Report {
   std::int64_t steps = 0;
   double time = 0, seconds = 0;  ///< simulated, and taken by the steps (pictures not counted)
   TimeSteps time_steps;
+  std::vector<SolveStatistics> solves;
   std::vector<std::pair<std::string, std::vector<double>>>
       wall_forces;  ///< by name [N], as last observed
   Statistics statistics;

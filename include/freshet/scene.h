@@ -21,10 +21,11 @@ enum class Side { inside, outside };
 enum class Outside { error, clamp };
 enum class StartPressure { zero, hydrostatic };
 enum class Axes { none, x, y, xy, z, xz, yz, xyz };  // bit d is axis d
-enum class SolverName { mueller2003, wcsph, delta_sph };
+enum class SolverName { mueller2003, wcsph, delta_sph, pcisph, iisph, dfsph, pbf };
 enum class Scheme { paper, article };
 enum class KernelName { cubic_spline, wendland_c2, wendland_c4, wendland_c6 };
 enum class DensityDiffusion { none, fourtakas2019, antuono2010 };
+enum class Iteration { jacobi, nesterov };
 enum class WallMethod { open, reflection, monaghan2009, ghost, akinci2012, adami2012 };
 enum class Slip { free_slip, no_slip };
 enum class BackendName { cpu, reference };
@@ -102,6 +103,16 @@ struct Scene {
     double artificial_viscosity = 0.05;                                    // wcsph, delta_sph
     DensityDiffusion density_diffusion = DensityDiffusion::fourtakas2019;  // delta_sph
     double delta = 0.1;                                                    // delta_sph
+    // Of those that solve for the pressure: pcisph, iisph, dfsph, pbf.
+    std::optional<double> density_tolerance;  // 0.0001 for dfsph, else 0.001
+    double divergence_tolerance = 0.001;      // dfsph
+    std::int64_t min_iterations = 1, max_iterations = 100;
+    bool warm_start = true;                     // iisph, dfsph
+    Iteration iteration = Iteration::nesterov;  // dfsph
+    double xsph = 0.01;
+
+    /// Whether the pressure is solved for, so that the density stays what it is.
+    bool incompressible() const { return name >= SolverName::pcisph; }
   };
   /// The sides of the domain. One that is not given has `method`; if that is not given either,
   /// reflection for mueller2003 and akinci2012 for the others.
@@ -115,6 +126,7 @@ struct Scene {
     double step = 0;        // fixed; unused if adaptive
     bool adaptive = false;  // step = "adaptive"
     std::optional<double> step_max;
+    bool retry = true;                     // a step whose solve did not converge: in halves
     std::optional<Integrator> integrator;  // symplectic_euler for wcsph, else leapfrog
   };
   struct Output {

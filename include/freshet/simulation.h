@@ -58,6 +58,8 @@ class Simulation {
   /// Whether time.end is reached.
   bool finished() const;
   const TimeSteps& time_steps() const;
+  /// The iterations and errors of a solver that solves for the pressure; else empty.
+  const std::vector<SolveStatistics>& solves() const;
   /// What was doubtful so far, in the order in which it was first seen.
   const std::vector<Warning>& warnings() const;
   /// What bounds the next step, by the present state [s].

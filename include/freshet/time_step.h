@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <algorithm>
+#include <limits>
 
 namespace freshet {
 
@@ -10,10 +11,15 @@ enum class Integrator { symplectic_euler, leapfrog, verlet };
 /// What bounds an explicit time step [s]; infinity where nothing does.
 struct TimeStepBounds {
   double acoustic, force, viscous;
-  double least() const { return std::min({acoustic, force, viscous}); }
-  /// "sound", "force" or "viscosity": which of them is the least.
+  double flow = std::numeric_limits<double>::infinity();  ///< of solvers without sound
+  double least() const { return std::min({acoustic, force, viscous, flow}); }
+  /// "sound", "force", "viscosity" or "flow": which of them is the least.
   const char* ruling() const {
-    return least() == acoustic ? "sound" : least() == force ? "force" : "viscosity";
+    const double least = this->least();
+    return least == acoustic  ? "sound"
+           : least == force   ? "force"
+           : least == viscous ? "viscosity"
+                              : "flow";
   }
 };
 

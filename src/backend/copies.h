@@ -77,12 +77,13 @@ template <int D> class Copies {
     for (int k = 0; k < size(); ++k) field[p.n + k] = field[copies_[std::size_t(k)].source];
   }
   void share(const Particles<D>& p, Field<Vec<D>> field) const {
-    const bool velocity = field.data == p.v.data;
+    const bool velocity = field.data == p.v.data, place = field.data == p.x.data;
     for (int k = 0; k < size(); ++k) {
       const Copy& copy = copies_[std::size_t(k)];
       Vec<D> a = field[copy.source];
-      for_rules(copy,
-                [&](const CopyRule<D>& rule) { a = velocity ? rule.velocity(a) : rule.polar(a); });
+      for_rules(copy, [&](const CopyRule<D>& rule) {
+        a = place ? rule.position(a) : velocity ? rule.velocity(a) : rule.polar(a);
+      });
       field[p.n + k] = a;
     }
   }

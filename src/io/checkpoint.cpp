@@ -23,13 +23,16 @@
 namespace freshet {
 
 // What run.json holds. A change here is a change of the format.
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeSteps, last, last_ruled, min, max, ruled)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeSteps, last, last_ruled, min, max, ruled, retried)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SolveStatistics, name, tolerance, solves, iterations,
+                                   most_iterations, not_converged, last_iterations, last_error,
+                                   worst_error)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Warning, kind, message, first_step, last_step, worst_step,
                                    first_time, looks, worst, bound, cannot_be_right)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WatchRecord::Track, lasting, fatal, steps)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WatchRecord::Densest, id, x, value)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WatchRecord, warnings, tracks, steps_watched, first_step,
-                                   first_compression, first_bound, first_densest)
+                                   first_compression, first_bound, first_densest, not_converged)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunRecord, scene_name, frames, data_times, seconds, observables,
                                    wall_forces, observed_step, frame_step, data_step,
                                    scheduled_frames, scheduled_data, scheduled_observables)
@@ -39,7 +42,7 @@ namespace {
 using Json = nlohmann::json;
 
 // The format changes with whatever makes an older program misread a newer file, or the reverse.
-constexpr int format = 1;
+constexpr int format = 2;
 constexpr std::string_view magic = "Freshet checkpoint\n";
 constexpr std::size_t block = 512;  // HDF5 looks for itself at 0, 512, 1024 ...
 const std::string no_digest(64, '0');
@@ -100,6 +103,14 @@ WatchRecord finite(WatchRecord w) {
   return w;
 }
 
+std::vector<SolveStatistics> finite(std::vector<SolveStatistics> solves) {
+  for (SolveStatistics& s : solves) {
+    s.last_error = finite(s.last_error);
+    s.worst_error = finite(s.worst_error);
+  }
+  return solves;
+}
+
 Json json_of(const Checkpoint& c) {
   Json arrays = Json::array();
   for (const Checkpoint::Array& a : c.arrays)
@@ -112,6 +123,8 @@ Json json_of(const Checkpoint& c) {
           {"forces_asked", c.forces_asked},
           {"walls_sha256", c.walls_sha256},
           {"time_steps", c.time_steps},
+          {"solves", finite(c.solves)},
+          {"retries_help", c.retries_help},
           {"watch", finite(c.watch)},
           {"run", c.run},
           {"arrays", arrays}};
@@ -123,6 +136,8 @@ void read_json(const Json& json, Checkpoint& c) {
   json.at("forces_asked").get_to(c.forces_asked);
   json.at("walls_sha256").get_to(c.walls_sha256);
   json.at("time_steps").get_to(c.time_steps);
+  json.at("solves").get_to(c.solves);
+  json.at("retries_help").get_to(c.retries_help);
   json.at("watch").get_to(c.watch);
   json.at("run").get_to(c.run);
   for (const Json& a : json.at("arrays"))

@@ -45,6 +45,7 @@ struct WatchRecord {
   std::int64_t first_step = 0;  ///< of the first look; what it found:
   double first_compression = 0, first_bound = 0;
   Densest first_densest{};
+  std::vector<std::int64_t> not_converged;  ///< of each solve, as SolveStatistics counts them
 };
 
 /// A moment of a run, from which it goes on to the same bits.
@@ -56,6 +57,8 @@ struct Checkpoint {
   std::int64_t steps = 0;
   double time = 0, forces_asked = 0;  ///< [s]
   TimeSteps time_steps;
+  std::vector<SolveStatistics> solves;
+  bool retries_help = true;  ///< whether a halved step has not failed yet
   std::vector<Array> arrays;
   WatchRecord watch;
   std::string walls_sha256;  ///< over what a restart makes anew from the scene

@@ -36,9 +36,26 @@ Json json(const Statistics& s) {
 }
 
 Json json(const TimeSteps& t) {
-  Json all{{"last", t.last}, {"last_ruled", t.last_ruled}, {"min", t.min}, {"max", t.max}};
+  Json all{{"last", t.last},
+           {"last_ruled", t.last_ruled},
+           {"min", t.min},
+           {"max", t.max},
+           {"retried", t.retried}};
   if (!t.ruled.empty()) all["ruled"] = t.ruled;
   return all;
+}
+
+Json json(const SolveStatistics& s) {
+  return {{"name", s.name},
+          {"tolerance", s.tolerance},
+          {"solves", s.solves},
+          {"iterations", s.iterations},
+          {"mean_iterations", s.mean_iterations()},
+          {"most_iterations", s.most_iterations},
+          {"not_converged", s.not_converged},
+          {"last_iterations", s.last_iterations},
+          {"last_error", s.last_error},
+          {"worst_error", s.worst_error}};
 }
 
 Json json(const Warning& w) {
@@ -57,13 +74,15 @@ Json json(const Warning& w) {
 }  // namespace
 
 std::string to_json(const Report& r) {
-  Json checks = Json::array(), warnings = Json::array(), verbs = Json::array();
+  Json checks = Json::array(), solves = Json::array(), warnings = Json::array(),
+       verbs = Json::array();
   for (const CheckResult& c : r.checks)
     checks.push_back({{"name", c.name},
                       {"value", c.value},
                       {"relation", c.relation},
                       {"bound", c.bound},
                       {"passed", c.passed}});
+  for (const SolveStatistics& s : r.solves) solves.push_back(json(s));
   for (const Warning& w : r.warnings) warnings.push_back(json(w));
   for (const VerbTiming& v : r.verbs)
     verbs.push_back({{"name", v.name},
@@ -84,6 +103,7 @@ std::string to_json(const Report& r) {
                  {"steps_per_second", r.steps_per_second()},
                  {"particle_steps_per_second", r.particle_steps_per_second()},
                  {"time_steps", json(r.time_steps)},
+                 {"solves", solves},
                  {"wall_forces", forces},
                  {"statistics", json(r.statistics)},
                  {"picture",

@@ -1,9 +1,58 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
+#include <cmath>
+
 #include "core/vec.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
+
+/// f at each point of the lattice around the origin, as far as the support reaches.
+template <int D, class F> void on_lattice(double spacing, double support_radius, F f) {
+  const int m = int(support_radius / spacing) + 1, mz = D == 3 ? m : 0;
+  for (int kz = -mz; kz <= mz; ++kz)
+    for (int ky = -m; ky <= m; ++ky)
+      for (int kx = -m; kx <= m; ++kx) {
+        Vec<D> x{};
+        x.x = Real(kx * spacing);
+        x.y = Real(ky * spacing);
+        if constexpr (D == 3) x.z = Real(kz * spacing);
+        f(x);
+      }
+}
+
+/// sum_j |grad W(x_j)|^2 over the lattice [1/m^(2D + 2)].
+template <int D, class Kernel>
+double lattice_response(const Kernel& W, double spacing, double support_radius) {
+  double sum = 0;
+  on_lattice<D>(spacing, support_radius,
+                [&](Vec<D> x) { sum += double(norm2(W.gradient(Pair<D, Real>(x)))); });
+  return sum;
+}
+
+/// The greatest eigenvalue of the pressure's equations on a lattice without ends, over their
+/// diagonal: max over waves k of |sum_j grad W(x_j) sin(k · x_j)|^2/sum_j |grad W(x_j)|^2. A step
+/// of Jacobi's converges if it is shorter than 2 over that.
+template <int D, class Kernel>
+double lattice_stiffness(const Kernel& W, double spacing, double support_radius) {
+  constexpr int waves = 12;  // from 0 to the shortest, along each axis
+  double most = 0;
+  for (int wave = 0; wave < (D == 3 ? waves * waves * waves : waves * waves); ++wave) {
+    Vec<D, double> g{}, k{};
+    for (int d = 0, rest = wave; d < D; ++d, rest /= waves)
+      component(k, d) = double(pi) * (rest % waves + 1) / (waves * spacing);
+    on_lattice<D>(spacing, support_radius, [&](Vec<D> x) {
+      Vec<D> gradient = W.gradient(Pair<D, Real>(x));
+      double phase = 0;
+      for (int d = 0; d < D; ++d) phase += component(k, d) * double(component(x, d));
+      for (int d = 0; d < D; ++d)
+        component(g, d) += double(component(gradient, d)) * std::sin(phase);
+    });
+    most = std::max(most, norm2(g));
+  }
+  return most / lattice_response<D>(W, spacing, support_radius);
+}
 
 /// sum_j W(x_j) over the plane of the lattice that lies so many spacings from the origin.
 template <int D, class Kernel>

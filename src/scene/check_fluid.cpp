@@ -105,8 +105,8 @@ bool check_count(double particles, double samples, Findings& out) {
 
 void check_same_liquid(const Scene& s, std::size_t k, Findings& out) {
   const Scene::Fluid &a = s.fluid[0], &b = s.fluid[k];
-  const bool mueller = s.solver.name == SolverName::mueller2003;
-  if (a.rest_density == b.rest_density && (!mueller || a.viscosity == b.viscosity)) return;
+  const bool viscous = s.solver.name == SolverName::mueller2003 || s.solver.incompressible();
+  if (a.rest_density == b.rest_density && (!viscous || a.viscosity == b.viscosity)) return;
   const char* key = a.rest_density == b.rest_density ? "viscosity" : "rest_density";
   out.error(fmt::format("fluid[{}].{}", k, key),
             fmt::format("fluid[{}] and fluid[0] differ in {}; {} takes one liquid, give "

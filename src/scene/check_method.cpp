@@ -2,6 +2,7 @@
 /// The solver, the time and the output.
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "scene/findings.h"
 #include "scene/keys.h"
@@ -28,25 +29,81 @@ void check_backend(const Scene& s, Findings& out) {
               "solver.backend = \"reference\", or choose \"grid\"");
 }
 
-/// Keys of the weakly compressible solvers only.
-void check_mueller2003_keys(Findings& out) {
-  for (const char* key : {"kernel", "sound_speed", "artificial_viscosity"})
-    out.unused(fmt::format("solver.{}", key), fmt::format("solver.{}", key),
-               "only wcsph and delta_sph read it; remove it, or choose one of them as solver.name");
+/// Keys that the solver does not read, with what it `has` in their place.
+class UnusedKeys {
+ public:
+  UnusedKeys(const Scene& s, Findings& out)
+      : fluids_(s.fluid.size()), solver_(solver_words[int(s.solver.name)]), out_(out) {}
+
+  void has(const char* key, const std::string& instead) const { tell(key, key, instead); }
+  void has_viscosity(const char* instead) const {
+    for (std::size_t k = 0; k < fluids_; ++k)
+      tell(fmt::format("fluid[{}].viscosity", k), "fluid.viscosity", instead);
+  }
+  void belongs_to(const std::string& solver, const char* key) const {
+    out_.unused(
+        key, key,
+        fmt::format("only {0} reads it; remove it, or choose solver.name = \"{0}\"", solver));
+  }
+  void belong_to(const char* solvers, std::initializer_list<const char*> keys) const {
+    for (const char* key : keys)
+      out_.unused(
+          key, key,
+          fmt::format("only {} read it; remove it, or choose one of them as solver.name", solvers));
+  }
+
+ private:
+  void tell(const std::string& path, const char* key, const std::string& instead) const {
+    out_.unused(path, key, fmt::format("{} {}; remove it", solver_, instead));
+  }
+
+  std::size_t fluids_;
+  std::string solver_;
+  Findings& out_;
+};
+
+void check_mueller2003_keys(const UnusedKeys& unused) {
+  unused.has("solver.kernel", "has the kernels of its paper");
+  unused.belong_to("wcsph and delta_sph", {"solver.sound_speed", "solver.artificial_viscosity"});
 }
 
-/// Keys of mueller2003 only.
-void check_weakly_compressible_keys(const Scene& s, Findings& out) {
-  const std::string name = solver_words[int(s.solver.name)];
-  const auto unused = [&](const std::string& path, const char* key, const std::string& instead) {
-    out.unused(path, key, fmt::format("{} {}; remove it", name, instead));
-  };
-  unused("solver.stiffness", "solver.stiffness", "has solver.sound_speed instead");
-  unused("solver.scheme", "solver.scheme", "has one scheme");
-  unused("solver.speed_limit", "solver.speed_limit", "has none");
-  for (std::size_t k = 0; k < s.fluid.size(); ++k)
-    unused(fmt::format("fluid[{}].viscosity", k), "fluid.viscosity",
-           "has solver.artificial_viscosity instead");
+/// What mueller2003 alone has.
+void check_scheme_keys(const UnusedKeys& unused) {
+  unused.has("solver.scheme", "has one scheme");
+  unused.has("solver.speed_limit", "has none");
+}
+
+void check_weakly_compressible_keys(const UnusedKeys& unused) {
+  check_scheme_keys(unused);
+  unused.has("solver.stiffness", "has solver.sound_speed instead");
+  unused.has_viscosity("has solver.artificial_viscosity instead");
+}
+
+void check_pressure_keys(const Scene& s, const UnusedKeys& unused, Findings& out) {
+  check_scheme_keys(unused);
+  unused.has("solver.stiffness", "solves for the pressure, without an equation of state");
+  unused.has("solver.sound_speed", "solves for the pressure, without sound");
+  unused.has("solver.artificial_viscosity", "has fluid.viscosity instead");
+  unused.has("time.integrator", "has an integrator of its own");
+  if (s.solver.min_iterations > s.solver.max_iterations)
+    out.error("solver.min_iterations",
+              fmt::format("solver.min_iterations is {}, above solver.max_iterations, {}; make it "
+                          "smaller, or solver.max_iterations larger",
+                          s.solver.min_iterations, s.solver.max_iterations));
+}
+
+/// Keys of solvers that solve for the pressure.
+void check_iteration_keys(const Scene& s, const UnusedKeys& unused) {
+  const SolverName name = s.solver.name;
+  if (!s.solver.incompressible())
+    unused.belong_to("pcisph, iisph, dfsph and pbf",
+                     {"solver.density_tolerance", "solver.min_iterations", "solver.max_iterations",
+                      "solver.xsph", "time.retry"});
+  if (name != SolverName::iisph && name != SolverName::dfsph)
+    unused.belong_to("iisph and dfsph", {"solver.warm_start"});
+  if (name == SolverName::dfsph) return;
+  unused.belongs_to("dfsph", "solver.divergence_tolerance");
+  unused.belongs_to("dfsph", "solver.iteration");
 }
 
 /// Seconds between what is written, or steps, but not both; never less than a step.
@@ -104,8 +161,11 @@ void check_data(const Scene& s, Findings& out) {
 void check_method(const Scene& s, Findings& out) {
   check_backend(s, out);
   const bool mueller = s.solver.name == SolverName::mueller2003;
-  if (mueller) check_mueller2003_keys(out);
-  else check_weakly_compressible_keys(s, out);
+  const UnusedKeys unused(s, out);
+  if (mueller) check_mueller2003_keys(unused);
+  else if (s.solver.incompressible()) check_pressure_keys(s, unused, out);
+  else check_weakly_compressible_keys(unused);
+  check_iteration_keys(s, unused);
   if (s.solver.name != SolverName::delta_sph)
     for (const char* key : {"density_diffusion", "delta"})
       out.unused(fmt::format("solver.{}", key), fmt::format("solver.{}", key),
@@ -133,11 +193,12 @@ void check_method(const Scene& s, Findings& out) {
 void check_gravity(const Scene& s, Findings& out) {
   if (!is_weightless(s)) return;
   const bool mueller = s.solver.name == SolverName::mueller2003;
+  const bool weakly = !mueller && !s.solver.incompressible();
   if (mueller && !s.solver.stiffness)
     out.error("domain.gravity",
               "without gravity there is no default of solver.stiffness; give solver.stiffness "
               "(the square of ten times the fastest speed is a good start)");
-  if (!mueller && !s.solver.sound_speed)
+  if (weakly && !s.solver.sound_speed)
     out.error("domain.gravity",
               "without gravity there is no default of solver.sound_speed; give solver.sound_speed "
               "(ten times the fastest speed is a good start)");

@@ -21,16 +21,21 @@ bool has_slip(WallMethod m) {
 
 const char* word_of(WallMethod m) { return method_words[int(m)]; }
 
-/// Whether the solver knows the method.
+/// Whether the solver knows the method. `flat`: the wall could be of mirror images.
 bool check_solver(const Scene& s, WallMethod m, const std::string& key, const std::string& name,
-                  Findings& out) {
-  const bool known = s.solver.name != SolverName::mueller2003 || m == WallMethod::open ||
-                     m == WallMethod::reflection || m == WallMethod::ghost;
-  if (!known)
+                  bool flat, Findings& out) {
+  const bool mueller = s.solver.name == SolverName::mueller2003;
+  if (mueller && is_sampled(m))
     out.error(key, fmt::format("{} is \"{}\", and mueller2003 takes \"open\", \"reflection\" and "
                                "\"ghost\"; choose one, or another solver.name",
                                name, word_of(m)));
-  return known;
+  const bool extrapolates = s.solver.incompressible() && m == WallMethod::adami2012;
+  if (extrapolates)
+    out.error(key,
+              fmt::format("{} is \"adami2012\", which needs an equation of state, and {} has "
+                          "none; choose \"akinci2012\"{}",
+                          name, solver_words[int(s.solver.name)], flat ? " or \"ghost\"" : ""));
+  return !extrapolates && !(mueller && is_sampled(m));
 }
 
 /// What a method does not read.
@@ -56,9 +61,9 @@ bool check_method_of(const Scene& s, std::size_t k, const std::string& at, Findi
               "wall.shape is \"points\", whose methods mueller2003 does not have; "
               "choose another shape or another solver.name");
   else if (w.shape == Shape::points && !is_sampled(m))
-    out.error(key, fmt::format("wall.method is \"{}\", and points are held by \"akinci2012\", "
-                               "\"adami2012\" or \"monaghan2009\"; choose one",
-                               word_of(m)));
+    out.error(key, fmt::format("wall.method is \"{}\", and points are held by \"akinci2012\"{} or "
+                               "\"monaghan2009\"; choose one",
+                               word_of(m), s.solver.incompressible() ? "" : ", \"adami2012\""));
   else if (m == WallMethod::open)
     out.error(key,
               "wall.method is \"open\": it would not be there; remove the wall or choose "
@@ -67,7 +72,7 @@ bool check_method_of(const Scene& s, std::size_t k, const std::string& at, Findi
     out.error(key,
               "wall.method is \"ghost\", which mirrors at flat walls: a plane, or a box with "
               "side = \"inside\"; choose one of these or another method");
-  else return check_solver(s, m, key, "wall.method", out);
+  else return check_solver(s, m, key, "wall.method", box_inside || w.shape == Shape::plane, out);
   return false;
 }
 
@@ -157,9 +162,8 @@ void check_sides(const Scene& s, Findings& out) {
     reflects |= m == WallMethod::reflection;
     slips |= has_slip(m);
     const bool own = out.given(name);
-    if (own || !told)
-      told |= !check_solver(s, m, own ? name : "walls.method", own ? name : "walls.method", out) &&
-              !own;
+    const std::string key = own ? name : "walls.method";
+    if (own || !told) told |= !check_solver(s, m, key, key, true, out) && !own;
     shared |= !own;
   }
   if (!shared)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kernels/cubic_spline.h"
 #include "kernels/lattice_sum.h"
@@ -14,20 +15,6 @@
 
 namespace freshet {
 namespace {
-
-/// f at each point of the lattice around the origin, as far as the support reaches.
-template <int D, class F> void on_lattice(double spacing, double support, F f) {
-  const int m = int(support / spacing) + 1, mz = D == 3 ? m : 0;
-  for (int kz = -mz; kz <= mz; ++kz)
-    for (int ky = -m; ky <= m; ++ky)
-      for (int kx = -m; kx <= m; ++kx) {
-        Vec<D> x{};
-        x.x = Real(kx * spacing);
-        x.y = Real(ky * spacing);
-        if constexpr (D == 3) x.z = Real(kz * spacing);
-        f(x);
-      }
-}
 
 /// The share of a linear field's slope that the discrete gradient sees on the lattice, less 1:
 /// -sum_j dx^D x_j d/dx W(x_j), which is 1 in the continuum.
@@ -107,10 +94,32 @@ void derive_steps(const Scene& s, Derived& d) {
   d.acoustic_step = 0.4 * h / d.sound_speed;
   d.force_step = 0.25 * std::sqrt(h / norm_of(s.domain.gravity));
   d.viscous_step = 0.125 * h * h * d.rest_density / d.viscosity;
-  if (s.solver.name == SolverName::mueller2003) return;
+  d.flow_step = std::numeric_limits<double>::infinity();
+  if (s.solver.name == SolverName::mueller2003 || s.solver.incompressible()) return;
   // what Monaghan's term amounts to [Monaghan 2005, sec. 3.2]: nu = alpha h c/(2 (D + 2))
   const double nu = s.solver.artificial_viscosity * h * d.sound_speed / (2 * (s.dimension() + 2));
   d.viscous_step = 0.125 * h * h / nu;
+}
+
+/// The fastest at the start [m/s].
+double fastest_start(const Sample& start, int dimension) {
+  double fastest2 = 0;
+  const auto n = std::size_t(dimension);
+  for (std::size_t i = 0; i < start.v.size(); i += n) {
+    double speed2 = 0;
+    for (std::size_t k = 0; k < n; ++k) speed2 += square(double(start.v[i + k]));
+    fastest2 = std::max(fastest2, speed2);
+  }
+  return std::sqrt(fastest2);
+}
+
+/// Without sound the flow bounds the step, and gives what is fast its measure.
+void derive_flow(const Scene& s, double fastest, Derived& d) {
+  d.density_tolerance = density_tolerance(s);
+  d.sound_speed = 10 * std::max(fastest, std::sqrt(fastest_fall2(s)));
+  d.stiffness = square(d.sound_speed);
+  d.acoustic_step = std::numeric_limits<double>::infinity();
+  d.flow_step = 0.4 * d.support_radius / 2 / fastest;
 }
 
 }  // namespace
@@ -154,14 +163,20 @@ Derived derive(const Scene& scene) {
   d.stiffness = stiffness(s);
   d.sound_speed = sound_speed(s);
   derive_steps(s, d);
+  if (s.solver.incompressible()) derive_flow(s, fastest_start(start, s.dimension()), d);
   return d;
 }
 
-double Derived::step_bound() const { return std::min({acoustic_step, force_step, viscous_step}); }
+double Derived::step_bound() const {
+  return std::min({acoustic_step, force_step, viscous_step, flow_step});
+}
 
 const char* Derived::step_bound_name() const {
   const double bound = step_bound();
-  return bound == acoustic_step ? "speed of sound" : bound == force_step ? "gravity" : "viscosity";
+  return bound == force_step      ? "gravity"
+         : bound == viscous_step  ? "viscosity"
+         : bound == acoustic_step ? "speed of sound"
+                                  : "flow";
 }
 
 }  // namespace freshet

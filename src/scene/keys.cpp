@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "scene/keys.h"
 
+#include "scene/keys_output.h"
+
 namespace freshet {
 namespace {
-
-constexpr const char* density_unit = "kg/m² in 2D, kg/m³ in 3D";
 
 /// Where a fluid or a wall stands.
 void region_keys(KeyVisitor& v, Scene::Region& r, Words shapes, const KeyDoc& shape,
@@ -63,11 +63,14 @@ void fluid_keys(KeyVisitor& v, Scene::Fluid& f) {
       "rest_density", f.rest_density,
       {.unit = density_unit, .text = "density at zero pressure (ρ0)", .min = 0, .above = true});
   v.number("viscosity", f.viscosity,
-           {.unit = "Pa s", .text = "dynamic viscosity (μ); `mueller2003` only", .min = 0});
+           {.unit = "Pa s",
+            .text = "dynamic viscosity (μ); `mueller2003` and the pressure solvers",
+            .min = 0});
   v.choice("pressure", f.pressure, pressure_words,
            {.unit = "",
             .text = "at the start: `zero`, every particle at rest density; `hydrostatic`, as the "
-                    "weight of the fluid above asks for (box, lattice and plane)"});
+                    "weight of the fluid above asks for (box, lattice and plane); the pressure "
+                    "solvers keep the density at rest"});
   v.choice("outside", f.outside, outside_words,
            {.unit = "",
             .text = "a particle that starts outside the domain is an error, or is left to the "
@@ -110,7 +113,7 @@ void walls_keys(KeyVisitor& v, Scene::Walls& w) {
             .text = "of the sides that are not given: `open` (nothing holds the fluid), "
                     "`reflection` (particles are turned back), `ghost` (mirror images), or "
                     "samples as in the papers Monaghan & Kajtar 2009, Akinci et al. 2012, Adami "
-                    "et al. 2012",
+                    "et al. 2012 (not with the pressure solvers)",
             .fallback = "`reflection` for `mueller2003`, else `akinci2012`"});
   const auto side = [&](const char* name, std::optional<WallMethod>& method, const char* text) {
     v.choice(name, method, method_words, {.unit = "", .text = text, .fallback = "walls.method"});
@@ -124,8 +127,56 @@ void walls_keys(KeyVisitor& v, Scene::Walls& w) {
   wall_surface_keys(v, w.slip, w.restitution);
 }
 
+/// Of the solvers that solve for the pressure.
+void pressure_keys(KeyVisitor& v, Scene::Solver& s) {
+  v.number(
+      "density_tolerance", s.density_tolerance,
+      {.unit = "",
+       .text = "a step iterates until the mean of max(0, ρ*/ρ0 − 1), and of what pressures hold "
+               "further apart than at rest, is no more than this; pressure solvers",
+       .min = 1e-6,
+       .max = 0.1,
+       .fallback = "0.0001 for `dfsph`, else 0.001"});
+  v.number(
+      "divergence_tolerance", s.divergence_tolerance,
+      {.unit = "",
+       .text = "the same of what a step would change, the mean of max(0, Δt Dρ/Dt)/ρ0; `dfsph` "
+               "only",
+       .min = 1e-6,
+       .max = 1});
+  v.integer("min_iterations", s.min_iterations,
+            {.unit = "",
+             .text = "of a solve, even if its error is small before; pressure solvers",
+             .min = 1,
+             .max = 1e6});
+  v.integer("max_iterations", s.max_iterations,
+            {.unit = "",
+             .text = "of a solve, even if its error is not small by then; pressure solvers",
+             .min = 1,
+             .max = 1e6});
+  v.boolean("warm_start", s.warm_start,
+            {.unit = "",
+             .text = "whether a solve begins with what the last step's came to; `iisph` and "
+                     "`dfsph`"});
+  v.choice(
+      "iteration", s.iteration, iteration_words,
+      {.unit = "",
+       .text = "how `dfsph` iterates: `jacobi` is the paper's own, `nesterov` goes on along its "
+               "steps and needs fewer of them"});
+  v.number("xsph", s.xsph,
+           {.unit = "",
+            .text = "share of the neighbours' mean velocity that a particle takes on in a step; "
+                    "pressure solvers",
+            .min = 0,
+            .max = 1});
+}
+
 void solver_keys(KeyVisitor& v, Scene::Solver& s) {
-  v.choice("name", s.name, solver_words, {.unit = "", .text = "the method, named after its paper"});
+  v.choice("name", s.name, solver_words,
+           {.unit = "",
+            .text = "the method, named after its paper; `pcisph`, `iisph`, `dfsph` and `pbf` are "
+                    "the pressure solvers: each step iterates until the pressure keeps the "
+                    "density at rest"});
   v.choice("scheme", s.scheme, scheme_words,
            {.unit = "",
             .text = "`paper`: the equations as published; `article`: as the teaching article runs "
@@ -149,7 +200,7 @@ void solver_keys(KeyVisitor& v, Scene::Solver& s) {
             .above = true,
             .fallback = "(10 · √(2 g · height of the domain))²"});
   v.choice("kernel", s.kernel, kernel_words,
-           {.unit = "", .text = "smoothing kernel of `wcsph` and `delta_sph`"});
+           {.unit = "", .text = "smoothing kernel; `mueller2003` has its own"});
   v.number("sound_speed", s.sound_speed,
            {.unit = "m/s",
             .text = "c in Tait's equation of state; `wcsph` and `delta_sph`",
@@ -167,162 +218,7 @@ void solver_keys(KeyVisitor& v, Scene::Solver& s) {
             .min = 0,
             .above = true,
             .fallback = "none"});
-}
-
-void data_keys(KeyVisitor& v, Scene::Output& o) {
-  v.choices(
-      "data", o.data, data_words,
-      {.unit = "",
-       .text = "files of the particles beside the pictures: `vtp` (with a `*.pvd` of all "
-               "times, for ParaView), `ply` (Blender, Houdini), `csv`, `hdf5`; `[]` for none"});
-  v.choices("fields", o.fields, field_words,
-            {.unit = "", .text = "what these files hold besides the position"});
-  v.choice("precision", o.precision, precision_words,
-           {.unit = "",
-            .text = "of the numbers in data files; `float16` (`hdf5` only) halves velocity, "
-                    "density and pressure, unless they are beyond 65504"});
-  v.integer("data_every_steps", o.data_every_steps,
-            {.unit = "steps",
-             .text = "data files after step 0, after every so many steps, and after the last",
-             .min = 1,
-             .max = 1e9,
-             .fallback = "as the frames"});
-  v.number("data_every", o.data_every,
-           {.unit = "s",
-            .text = "the same in seconds",
-            .min = 0,
-            .above = true,
-            .fallback = "as the frames"});
-}
-
-void camera_keys(KeyVisitor& v, Scene::Camera& c) {
-  v.number("time", c.time, {.unit = "s", .text = "of a key frame", .min = 0});
-  v.vector("position", c.position,
-           {.unit = "m",
-            .text = "where the eye is",
-            .fallback = "in front, to the right and above, so that all of the domain is seen"});
-  v.vector("target", c.target,
-           {.unit = "m", .text = "what it looks at", .fallback = "the middle of the domain"});
-  v.number("field_of_view", c.field_of_view,
-           {.unit = "degrees",
-            .text = "angle from the bottom of the picture to its top",
-            .min = 1,
-            .max = 150});
-  v.number("orbit", c.orbit,
-           {.unit = "degrees/s",
-            .text = "how fast it turns about the vertical through the target, to the right if > 0",
-            .min = -36000,
-            .max = 36000});
-}
-
-void picture_keys(KeyVisitor& v, Scene& s) {
-  auto& p = s.picture;
-  v.section("picture", "How a frame is drawn.", [&] {
-    v.integer("width", p.width, {.unit = "px", .text = "width", .min = 32, .max = 8192});
-    v.integer("height", p.height, {.unit = "px", .text = "height", .min = 32, .max = 8192});
-    v.choice("dots", p.dots, dots_words,
-             {.unit = "",
-              .text = "in 2D: `glow`, soft dots whose light adds up, as in the article; `solid`, "
-                      "discs that show the colours as they are"});
-    v.integer("dot_radius", p.dot_radius,
-              {.unit = "px",
-               .text = "radius of a particle's dot (2D)",
-               .min = 1,
-               .max = 200,
-               .fallback = "5; a little over half a spacing if `solid`"});
-    v.numbers("window", p.window, 4,
-              {.unit = "m",
-               .text = "what is seen in 2D: x_min, y_min, x_max, y_max",
-               .fallback = "the domain"});
-    v.choice(
-        "color_by", p.color_by, color_by_words,
-        {.unit = "", .text = "what the colours tell; `density_error` is ρ/ρ0 − 1, `height` is y"});
-    v.choice("color_map", p.color_map, color_map_words,
-             {.unit = "",
-              .text = "the colours from the least value to the greatest",
-              .fallback = "`article` in 2D, `water` in 3D"});
-    v.numbers("color_range", p.color_range, 2,
-              {.unit = "as color_by",
-               .text = "the least value and the greatest; beyond, the colours of the ends",
-               .fallback = "of each picture's particles; `speed` from 0 to at least 0.1 m/s"});
-    v.text("background", p.background,
-           {.unit = "", .text = "`night`, `black`, `grey`, `white` or `#rrggbb`"});
-    v.boolean("time_stamp", p.time_stamp, {.unit = "", .text = "the time in a corner"});
-    v.boolean("scale_bar", p.scale_bar, {.unit = "", .text = "a bar and its length (2D)"});
-    v.boolean("color_bar", p.color_bar, {.unit = "", .text = "the colours and their values"});
-  });
-  v.tables("camera",
-           "Where a picture in 3D is seen from. `[camera]` for one that stands or orbits; "
-           "`[[camera]]` for several, key frames between which it moves smoothly.",
-           s.camera, [&](Scene::Camera& c) { camera_keys(v, c); });
-}
-
-void output_keys(KeyVisitor& v, Scene& s) {
-  v.section("output", "What a run writes, and how often.", [&] {
-    v.integer("frame_every_steps", s.output.frame_every_steps,
-              {.unit = "steps",
-               .text = "a frame after step 0, after every so many steps, and after the last",
-               .min = 1,
-               .max = 1e9,
-               .fallback = "a tenth of the run"});
-    v.number("frame_every", s.output.frame_every,
-             {.unit = "s",
-              .text = "instead of steps: a frame after the first step at or after each such time",
-              .min = 0,
-              .above = true,
-              .fallback = "a tenth of the run"});
-    v.integer("observables_every_steps", s.output.observables_every_steps,
-              {.unit = "steps",
-               .text = "a line of observables.csv after step 0, every so many steps, and the last",
-               .min = 1,
-               .max = 1e9,
-               .fallback = "a hundredth of the run"});
-    v.number("observables_every", s.output.observables_every,
-             {.unit = "s",
-              .text = "the same in seconds",
-              .min = 0,
-              .above = true,
-              .fallback = "a hundredth of the run"});
-    data_keys(v, s.output);
-    v.integer("checkpoint_every_steps", s.output.checkpoint_every_steps,
-              {.unit = "steps",
-               .text = "a checkpoint after every so many steps, for `freshet resume`; the last two "
-                       "stay; there is one at the end, and on Ctrl-C, in any case",
-               .min = 1,
-               .max = 1e9,
-               .fallback = "every five minutes that the run takes"});
-    v.number("checkpoint_every", s.output.checkpoint_every,
-             {.unit = "s",
-              .text = "the same in simulated seconds",
-              .min = 0,
-              .above = true,
-              .fallback = "every five minutes that the run takes"});
-  });
-  picture_keys(v, s);
-  v.section("checks", "What must hold at the end; a run whose check fails exits with 1.", [&] {
-    v.integer("out_of_bounds_max", s.checks.out_of_bounds_max,
-              {.unit = "",
-               .text = "most particles further than a support radius outside the domain",
-               .min = 0,
-               .fallback = "unchecked"});
-    v.number("density_mean_min", s.checks.density_mean_min,
-             {.unit = density_unit, .text = "mean density is above", .fallback = "unchecked"});
-    v.number("speed_mean_max", s.checks.speed_mean_max,
-             {.unit = "m/s", .text = "mean speed is below", .fallback = "unchecked"});
-    v.number("height_mean_max", s.checks.height_mean_max,
-             {.unit = "m", .text = "mean height (y) is below", .fallback = "unchecked"});
-    v.number("bright_fraction_min", s.checks.bright_fraction_min,
-             {.unit = "",
-              .text = "share of bright pixels (R > 50 or G > 30) in the result is above",
-              .min = 0,
-              .max = 1,
-              .fallback = "unchecked"});
-    v.choice("when_wrong", s.checks.when_wrong, wrong_words,
-             {.unit = "",
-              .text = "what a run does that cannot be right any more (see "
-                      "docs/when_it_goes_wrong.md): `stop`; or `warn` and go on as long as the "
-                      "numbers are finite, to exit with 1 all the same"});
-  });
+  pressure_keys(v, s);
 }
 
 }  // namespace
@@ -389,9 +285,13 @@ void visit_keys(KeyVisitor& v, Scene& s) {
               .min = 0,
               .above = true,
               .fallback = "none; an adaptive step needs it"});
+    v.boolean("retry", s.time.retry,
+              {.unit = "",
+               .text = "whether a step whose solve does not converge is taken back, and taken in "
+                       "halves; pressure solvers"});
     v.choice("integrator", s.time.integrator, integrator_words,
              {.unit = "",
-              .text = "how a step moves the particles",
+              .text = "how a step moves the particles; the pressure solvers have their own",
               .fallback = "`symplectic_euler` for `wcsph`, else `leapfrog`"});
   });
   output_keys(v, s);

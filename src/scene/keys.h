@@ -31,7 +31,8 @@ inline constexpr const char* shape_words[] = {"box",   "sphere", "cylinder",
 inline constexpr const char* side_words[] = {"inside", "outside"};
 inline constexpr const char* outside_words[] = {"error", "clamp"};
 inline constexpr const char* pressure_words[] = {"zero", "hydrostatic"};
-inline constexpr const char* solver_words[] = {"mueller2003", "wcsph", "delta_sph"};
+inline constexpr const char* solver_words[] = {"mueller2003", "wcsph", "delta_sph", "pcisph",
+                                               "iisph",       "dfsph", "pbf"};
 inline constexpr const char* scheme_words[] = {"paper", "article"};
 inline constexpr const char* kernel_words[] = {"cubic_spline", "wendland_c2", "wendland_c4",
                                                "wendland_c6"};
@@ -39,6 +40,7 @@ inline constexpr const char* diffusion_words[] = {"none", "fourtakas2019", "antu
 inline constexpr const char* backend_words[] = {"cpu", "reference"};
 inline constexpr const char* search_words[] = {"grid", "all_pairs"};
 inline constexpr const char* order_words[] = {"cell", "id"};
+inline constexpr const char* iteration_words[] = {"jacobi", "nesterov"};
 inline constexpr const char* wrong_words[] = {"stop", "warn"};
 inline constexpr const char* method_words[] = {"open",  "reflection", "monaghan2009",
                                                "ghost", "akinci2012", "adami2012"};

@@ -14,27 +14,33 @@ namespace {
 /// With the pressure rho0 g s below a depth s of material (so much of it if it were uncompressed):
 ///   mueller2003        rho/rho0 = 1 + g s/k
 ///   wcsph, delta_sph   rho/rho0 = (1 + 7 g s/c²)^(1/7)   [Tait's equation]
+///   pcisph, iisph, dfsph, pbf   rho = rho0
 /// A layer stands above the bottom by the integral of rho0/rho ds up to it.
 class HydrostaticColumn {
  public:
   HydrostaticColumn(const Scene& s, double gravity, double height)
-      : tait_(s.solver.name != SolverName::mueller2003),
-        per_depth_((tait_ ? 7 : 1) * gravity / stiffness(s)),
+      : rigid_(s.solver.incompressible()),
+        tait_(s.solver.name != SolverName::mueller2003),
+        per_depth_(rigid_ ? 0 : (tait_ ? 7 : 1) * gravity / stiffness(s)),
+        gravity_(gravity),
         height_(height) {}
 
+  /// Over the rest density [m²/s²].
+  double pressure(double depth) const { return gravity_ * depth; }
   double compression(double depth) const {
     const double q = 1 + per_depth_ * depth;
     return tait_ ? std::pow(q, 1.0 / 7) : q;
   }
   double height_above_bottom(double depth) const {
+    if (rigid_) return height_ - depth;
     const double q = 1 + per_depth_ * depth, q_bottom = 1 + per_depth_ * height_;
     if (!tait_) return std::log(q_bottom / q) / per_depth_;
     return 7 / (6 * per_depth_) * (std::pow(q_bottom, 6.0 / 7) - std::pow(q, 6.0 / 7));
   }
 
  private:
-  bool tait_;
-  double per_depth_, height_;
+  bool rigid_, tait_;
+  double per_depth_, gravity_, height_;
 };
 
 /// Lets the places of a fluid sink into equilibrium.
@@ -47,16 +53,19 @@ template <int D> class Hydrostatic {
         height_(extreme(places, -1) + s.particles.spacing / 2 - top_),
         column_(s, norm(vec_of<D>(s.domain.gravity)), height_) {}
 
-  /// Moves x to where its layer comes to rest; the bottom stays where it is. Returns how dense the
-  /// fluid is there, over its rest density.
-  double settle(Vec<D>& x) const {
+  /// Over the rest density: how dense the fluid is at a place, and its pressure [m²/s²].
+  struct State {
+    double compression, pressure;
+  };
+  /// Moves x to where its layer comes to rest; the bottom stays where it is.
+  State settle(Vec<D>& x) const {
     const double depth = std::clamp(depth_of(x) - top_, 0.0, height_);
     const double sinks = height_ - depth - column_.height_above_bottom(depth);
     for (int k = 0; k < D; ++k) {
       auto step = sinks * down_;
       component(x, k) += Real(component(step, k));
     }
-    return column_.compression(depth);
+    return {column_.compression(depth), column_.pressure(depth)};
   }
 
  private:
@@ -79,7 +88,11 @@ template <int D> class FluidSampler {
       : s_(s),
         jitter_(float(s.particles.jitter)),  // the same offsets in a double build
         generator_(static_cast<std::mt19937::result_type>(s.particles.seed)),
-        offset_(-jitter_, jitter_) {}
+        offset_(-jitter_, jitter_),
+        tells_pressure_(s.solver.incompressible() &&
+                        std::any_of(s.fluid.begin(), s.fluid.end(), [](const Scene::Fluid& f) {
+                          return f.pressure == StartPressure::hydrostatic;
+                        })) {}
 
   void add(const Scene::Fluid& f, Sample& all) {
     const Places<D> places(s_, f);
@@ -94,8 +107,10 @@ template <int D> class FluidSampler {
     if (f.pressure == StartPressure::hydrostatic) weight.emplace(s_, x);
     for (Vec<D>& a : x) {
       shake(a);
-      const double compression = weight ? weight->settle(a) : 1;
+      const auto [compression, pressure] =
+          weight ? weight->settle(a) : typename Hydrostatic<D>::State{1, 0};
       all.density.push_back(Real(f.rest_density * compression));
+      if (tells_pressure_) all.pressure.push_back(Real(f.rest_density * pressure));
       all.outside += is_outside(a);
       append(all.x, a);
     }
@@ -122,6 +137,7 @@ template <int D> class FluidSampler {
   float jitter_;
   std::mt19937 generator_;
   std::uniform_real_distribution<float> offset_;
+  bool tells_pressure_;
 };
 
 template <int D> Sample sample_in(const Scene& s) {

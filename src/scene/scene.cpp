@@ -37,6 +37,10 @@ Integrator Scene::integrator() const {
                                                                    : Integrator::leapfrog);
 }
 
+double density_tolerance(const Scene& s) {
+  return s.solver.density_tolerance.value_or(s.solver.name == SolverName::dfsph ? 1e-4 : 1e-3);
+}
+
 std::vector<std::string> Scene::wall_names() const {
   static constexpr const char* sides[] = {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
   std::vector<std::string> names(sides, sides + 2 * dimension());

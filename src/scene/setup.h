@@ -24,6 +24,8 @@ double support_radius(const Scene& scene);
 /// k in p = k(rho - rho0) [m²/s²]; that of mueller2003, else the square of the speed of sound.
 double stiffness(const Scene& scene);
 double sound_speed(const Scene& scene);  ///< [m/s]
+/// Of the solvers that solve for the pressure: as given, or what suits the solver.
+double density_tolerance(const Scene& scene);  ///< of the mean of max(0, rho/rho0 - 1)
 
 /// How far from a resting fluid the samples of akinci2012 stand [m], so that it has its rest
 /// density up to the wall: half a spacing of it is the fluid's.
@@ -39,6 +41,9 @@ struct WallSample {
 struct Sample {
   std::vector<Real> x, v;
   std::vector<Real> density;  ///< one a particle [kg/m^D]: rest density, or what its depth asks for
+  /// One a particle [Pa]: the weight above it where its fluid is hydrostatic, else 0. Empty if the
+  /// density tells it, or no fluid asks for it.
+  std::vector<Real> pressure;
   std::int64_t outside = 0;   ///< how many start outside the domain
   std::int64_t left_out = 0;  ///< places of a fluid's lattice that a wall takes
   /// Layers beyond the surface: one for akinci2012, at its distance, and one for monaghan2009, half

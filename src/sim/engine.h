@@ -10,6 +10,7 @@
 #include "freshet/scene.h"
 #include "freshet/simulation.h"
 #include "scene/setup.h"
+#include "solvers/solve.h"
 
 namespace freshet {
 
@@ -17,7 +18,10 @@ namespace freshet {
 class Engine {
  public:
   virtual ~Engine() = default;
-  virtual void step(double dt) = 0;
+  /// The solves of the step; none of a solver that does not iterate.
+  virtual std::vector<Solve> step(double dt) = 0;
+  /// Takes the last step back. Only for solvers that iterate: the others remember nothing.
+  virtual void undo() = 0;
   /// The bounds of the next step, by the state and the accelerations of the last.
   virtual TimeStepBounds bounds() = 0;
   virtual ParticleView fluid() const = 0;

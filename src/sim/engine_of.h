@@ -9,6 +9,7 @@
 #include "sim/enclosure.h"
 #include "sim/engine.h"
 #include "sim/wall_forces.h"
+#include "solvers/integrators.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
@@ -30,9 +31,24 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
     solver_.prepare(backend_, walls_);
   }
 
-  void step(double dt) override {
-    solver_.step(backend_, fluid_, walls_, {Real(dt), steps_});
-    ++steps_;
+  std::vector<Solve> step(double dt) override {
+    const Tick tick{Real(dt), steps_++};
+    if constexpr (iterates) {
+      backend_.save("save", fluid_);
+      bounced_before_ = bounced_;
+      const auto solves = solver_.step(backend_, fluid_, walls_, tick);
+      return {solves.begin(), solves.end()};
+    } else {
+      solver_.step(backend_, fluid_, walls_, tick);
+      return {};
+    }
+  }
+  void undo() override {
+    if constexpr (iterates) {
+      backend_.restore("save", fluid_);
+      std::copy(bounced_before_.begin(), bounced_before_.end(), bounced_.begin());
+      --steps_;
+    }
   }
   TimeStepBounds bounds() override { return solver_.bounds(backend_, fluid_); }
 
@@ -54,11 +70,18 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
     if constexpr (requires { solver_.akinci2012_forces(fluid_, walls_); }) {
       const Real h = solver_.c.support;
       forces.add(backend_, h, walls_.akinci2012, fluid_, solver_.akinci2012_forces(fluid_, walls_));
-      forces.add(backend_, h, walls_.adami2012, fluid_, solver_.adami2012_forces(fluid_, walls_));
+      if constexpr (iterates)
+        forces.add(backend_, h, walls_.akinci2012, fluid_,
+                   solver_.akinci2012_friction(fluid_, walls_));
+      else
+        forces.add(backend_, h, walls_.adami2012, fluid_, solver_.adami2012_forces(fluid_, walls_));
       forces.add(backend_, h, walls_.monaghan2009, fluid_,
                  solver_.monaghan2009_forces(fluid_, walls_));
     }
+    if constexpr (iterates) backend_.share("wall forces", fluid_, fluid_.k, fluid_.rho, fluid_.v);
     forces.add_ghosts(backend_, fluid_, solver_.fluid_forces(fluid_), copy_walls_, copy_force_);
+    if constexpr (iterates)
+      forces.add_ghosts(backend_, fluid_, solver_.fluid_friction(fluid_), copy_walls_, copy_force_);
     forces.add_bounces(backend_, fluid_, solver_.c.confine, reflector_walls_, interval);
     std::fill(bounced_.begin(), bounced_.end(), Vec<D, double>{});
     return forces.list();
@@ -117,6 +140,9 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
       fluid_.id[i] = std::uint64_t(i);
       fluid_.rho[i] = sample.density[std::size_t(i)];
     }
+    if constexpr (iterates)
+      for (std::size_t i = 0; i < sample.pressure.size(); ++i)
+        fluid_.k[int(i)] = sample.pressure[i] / square(sample.density[i]);
     std::memcpy(static_cast<void*>(fluid_.x.data), sample.x.data(), sample.x.size() * sizeof(Real));
     std::memcpy(static_cast<void*>(fluid_.v.data), sample.v.data(), sample.v.size() * sizeof(Real));
   }
@@ -141,12 +167,16 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
       std::memcpy(static_cast<void*>(wall.x.data), sample.x.data(), sample.x.size() * sizeof(Real));
   }
 
+  static constexpr bool iterates = !std::is_void_v<decltype(std::declval<Solver>().step(
+      std::declval<Backend&>(), std::declval<typename Solver::Fluid&>(), std::declval<Walls<D>&>(),
+      Tick{}))>;
+
   Backend backend_;
   Solver solver_;
   typename Solver::Fluid fluid_;
   Walls<D> walls_;
   std::vector<Reflector<D>> reflectors_;
-  std::vector<Vec<D, double>> bounced_;
+  std::vector<Vec<D, double>> bounced_, bounced_before_;
   std::vector<int> reflector_walls_, copy_walls_;  // places of their names
   Field<Vec<D>> copy_force_;
   int wall_count_ = 0;

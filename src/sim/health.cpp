@@ -12,6 +12,9 @@ namespace freshet {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double step_reserve = 1.25;  // a fixed step may be so much longer than its bound
+/// A sum over neighbours in 32-bit numbers tells a density to about this share.
+constexpr double coarse_density = sizeof(Real) == sizeof(float) ? 1e-5 : 0;
 
 double norm_of(const Vector& a) {
   double sum = 0;
@@ -62,6 +65,7 @@ Health::Health(const Scene& scene, const Derived& derived, const ParticleView& s
 }
 
 void Health::look(const Moment& now, const ParticleView& fluid,
+                  const std::vector<SolveStatistics>& solves,
                   const std::function<TimeStepBounds()>& bounds) {
   moment_ = now;
   now_ = look_at_(fluid);
@@ -83,6 +87,7 @@ void Health::look(const Moment& now, const ParticleView& fluid,
   judge_density();
   judge_speed();
   judge_energy();
+  judge_solves(solves, bounds);
   for (std::size_t k = 0; k < record_.tracks.size(); ++k) {
     const WatchRecord::Track& t = record_.tracks[k];
     record_.warnings[k].cannot_be_right =
@@ -105,7 +110,8 @@ void Health::go_on(const Moment& now, WatchRecord record) {
 
 std::int64_t Health::steps_since_last() const { return moment_.step - last_moment_.step; }
 
-template <class Message> void Health::judge(const Rule& rule, double value, Message message) {
+template <class Message>
+void Health::judge(const Rule& rule, double value, std::int64_t steps, Message message) {
   if (!(value > rule.doubtful)) return;
   const bool fatal = value > rule.fatal;
   if (fatal && rule.ends && scene_.checks.when_wrong == WhenWrong::stop)
@@ -128,11 +134,11 @@ template <class Message> void Health::judge(const Rule& rule, double value, Mess
     w.worst_step = moment_.step;
   }
   record_.tracks[k].fatal |= fatal;
-  record_.tracks[k].steps += steps_since_last();
+  record_.tracks[k].steps += steps;
 }
 
 void Health::judge_step(const TimeStepBounds& bounds) {
-  static constexpr Rule rule{"time step", 1.25, never, false, false};
+  static constexpr Rule rule{"time step", step_reserve, never, false, false};
   const double over = moment_.dt / bounds.least();
   judge(rule, over, [&] {
     return fmt::format(
@@ -170,23 +176,25 @@ void Health::judge_speed() {
   static constexpr Rule all{"speed", 0.3, 1, true, true};
   static constexpr Rule one{"fastest particle", 1, never, true, false};
   const double sound = derived_.sound_speed;
+  if (!(sound > 0)) return;  // nothing moves the fluid, so that there is no measure
   judge(all, now_.agitation / sound, [&] {
     return fmt::format(
         "the particles move at {:.3g} m/s (root mean square about their mean velocity), {:.3g} "
-        "times the speed of sound, {}; {}; {}",
-        now_.agitation, now_.agitation / sound, when(), fastest(now_),
+        "times the speed of {}, {}; {}; {}",
+        now_.agitation, times_reference(now_.agitation), reference(), when(), fastest(now_),
         cause(too_soft(now_.fastest.value)));
   });
   judge(one, now_.fastest.value / sound, [&] {
-    return fmt::format("a particle is {:.3g} times as fast as sound, {}; {}; {}",
-                       now_.fastest.value / sound, when(), fastest(now_), cause(came_too_close()));
+    return fmt::format("a particle is {:.3g} times as fast as {}, {}; {}; {}",
+                       times_reference(now_.fastest.value), reference(), when(), fastest(now_),
+                       cause(came_too_close()));
   });
 }
 
 void Health::judge_energy() {
   static constexpr Rule keeps{"energy", 0.5, 10, true, true};
   static constexpr Rule boils{"energy", 0.5, 10, false, true};
-  if (falls_for_ever(scene_)) return;
+  if (falls_for_ever(scene_) || !(derived_.sound_speed > 0)) return;
   const bool mueller = scene_.solver.name == SolverName::mueller2003;
   const double made = now_.kinetic + now_.potential - start_energy_;
   const double share = made / energy_available();
@@ -200,6 +208,25 @@ void Health::judge_energy() {
                         "solver.name"
                       : came_too_close()));
   });
+}
+
+/// The doubt counts the steps in which a solve ended beyond its tolerance.
+void Health::judge_solves(const std::vector<SolveStatistics>& solves,
+                          const std::function<TimeStepBounds()>& bounds) {
+  static constexpr Rule rule{"pressure solve", 1, never, true, false};
+  record_.not_converged.resize(solves.size());
+  std::int64_t most = 0;
+  const SolveStatistics* worst = nullptr;
+  for (std::size_t k = 0; k < solves.size(); ++k) {
+    const std::int64_t all = solves[k].not_converged;
+    const std::int64_t failed = all - std::exchange(record_.not_converged[k], all);
+    if (failed <= most) continue;
+    most = failed;
+    worst = &solves[k];
+  }
+  if (worst)
+    judge(rule, worst->worst_error / worst->tolerance, std::min(most, steps_since_last()),
+          [&] { return not_solved(*worst, bounds()); });
 }
 
 /// What the start had, that a fall to the bottom and a relaxing of the first densities give, and
@@ -221,13 +248,15 @@ void Health::fail_for_lost() const {
 }
 
 void Health::fail_for_step(const Moment& now, const TimeStepBounds& bounds) const {
-  const bool weakly = scene_.solver.name != SolverName::mueller2003;
+  const bool weakly =
+      scene_.solver.name != SolverName::mueller2003 && !scene_.solver.incompressible();
   const bool from_the_start = !(derived_.step_bound() > least_step());
   const std::string bound = bounds.ruling();
   std::string why = "the run has blown up; " + cause(came_too_close());
   if (from_the_start)
     why = fmt::format("{} asks for it; make it smaller",
-                      bound == "force" ? "domain.gravity"
+                      bound == "force"  ? "domain.gravity"
+                      : bound == "flow" ? "fluid.velocity"
                       : bound == "viscosity"
                           ? weakly ? "solver.artificial_viscosity" : "fluid.viscosity"
                       : weakly ? "solver.sound_speed"
@@ -258,8 +287,21 @@ std::string Health::fastest(const Look& look) const {
                      place(look.fastest), look.fastest.value);
 }
 
-/// What to do where sound is too slow for a flow as fast as `speed` [m/s].
+/// What speeds are compared with. Without sound a tenth of the nominal one: see Derived.
+const char* Health::reference() const {
+  return scene_.solver.incompressible() ? "the start or a fall through the domain" : "sound";
+}
+double Health::times_reference(double speed) const {
+  return speed / derived_.sound_speed * (scene_.solver.incompressible() ? 10 : 1);
+}
+
+/// What to do where the pressure does not keep the density of a flow as fast as `speed` [m/s].
 std::string Health::too_soft(double speed) const {
+  if (scene_.solver.incompressible())
+    return fmt::format(
+        "the pressure does not hold the fluid: the time step is too long, or the iterations too "
+        "few; make {} or solver.density_tolerance smaller, or solver.max_iterations larger",
+        step_key());
   const bool mueller = scene_.solver.name == SolverName::mueller2003;
   const double needed = 10 * speed;
   return fmt::format(
@@ -271,7 +313,33 @@ std::string Health::too_soft(double speed) const {
 
 std::string Health::came_too_close() const {
   return fmt::format("particles came too close; look at the start of the scene, or make {} smaller",
-                     scene_.time.adaptive ? "time.step_max" : "time.step");
+                     step_key());
+}
+
+/// What came of a solve: of the last, or of the worst so far if that one went well.
+std::string Health::not_solved(const SolveStatistics& s, const TimeStepBounds& bounds) const {
+  const bool last = s.last_error > s.tolerance;
+  const double error = last ? s.last_error : s.worst_error;
+  const std::int64_t iterations = last ? s.last_iterations : s.most_iterations;
+  const std::string key = fmt::format("solver.{}_tolerance", s.name);
+  std::string why = fmt::format("make solver.max_iterations or {} larger, or {} smaller{}", key,
+                                step_key(), scene_.time.retry ? "" : ", or set time.retry = true");
+  const bool stuck = error < coarse_density || iterations < scene_.solver.max_iterations;
+  if (moment_.dt > step_reserve * bounds.flow)
+    why = fmt::format(
+        "the time step, {:.4g} s, is too long for this flow, {:.4g} s are its bound; "
+        "make {} smaller",
+        moment_.dt, bounds.flow, step_key());
+  else if (s.tolerance < coarse_density && stuck)
+    why = fmt::format(
+        "{}-bit numbers do not tell so small an error, and more iterations make it no "
+        "smaller; make {} larger, {:g} say",
+        8 * sizeof(Real), key, coarse_density);
+  return fmt::format(
+      "a {} solve did not converge: after {} iterations its error was "
+      "{:.3g} %, and {} is {:.3g} %, {}{}; {}",
+      s.name, iterations, 100 * error, key, 100 * s.tolerance, last ? "" : "before or ", when(),
+      cause(why));
 }
 
 /// The likeliest cause by what the scene and its start tell; else the one that is given.
@@ -289,7 +357,8 @@ std::string Health::cause(const std::string& otherwise) const {
   if (!scene_.time.adaptive && scene_.time.step > longest)
     return fmt::format("time.step, {:.4g} s, is over its bound, {:.4g} s; make it smaller",
                        scene_.time.step, longest);
-  if (derived_.sound_speed < 5 * reference_speed()) return too_soft(reference_speed());
+  if (!scene_.solver.incompressible() && derived_.sound_speed < 5 * reference_speed())
+    return too_soft(reference_speed());
   return otherwise;
 }
 

@@ -35,8 +35,10 @@ class Health {
   static bool due(std::int64_t step) {
     return step <= 100 ? step % 10 == 0 || step == 1 : step % 100 == 0;
   }
-  /// Throws Error (kind run) where the run has to end. `bounds` is asked where the step is fixed.
+  /// Throws Error (kind run) where the run has to end. `solves` are those of the run so far.
+  /// `bounds` is asked where the step is fixed, and for the cause of a doubt.
   void look(const Moment& now, const ParticleView& fluid,
+            const std::vector<SolveStatistics>& solves,
             const std::function<TimeStepBounds()>& bounds);
   /// A shorter adaptive step is none: a run of such steps would not end [s].
   double least_step() const { return 1e-9 * scene_.time.end; }
@@ -53,12 +55,19 @@ class Health {
 
  private:
   struct Rule;
-  template <class Message> void judge(const Rule& rule, double value, Message message);
+  template <class Message> void judge(const Rule& rule, double value, Message message) {
+    judge(rule, value, steps_since_last(), message);
+  }
+  /// `steps`: in how many of those since the last look it was so.
+  template <class Message>
+  void judge(const Rule& rule, double value, std::int64_t steps, Message message);
   void judge_step(const TimeStepBounds& bounds);
   void judge_walls(std::size_t particles);
   void judge_density();
   void judge_speed();
   void judge_energy();
+  void judge_solves(const std::vector<SolveStatistics>& solves,
+                    const std::function<TimeStepBounds()>& bounds);
   [[noreturn]] void fail_for_lost() const;
   std::int64_t steps_since_last() const;
 
@@ -67,7 +76,11 @@ class Health {
   std::string when() const;
   std::string place(const Witness& particle) const;
   std::string fastest(const Look& look) const;
+  const char* reference() const;
+  double times_reference(double speed) const;
   std::string too_soft(double speed) const;
+  std::string not_solved(const SolveStatistics& solve, const TimeStepBounds& bounds) const;
+  const char* step_key() const { return scene_.time.adaptive ? "time.step_max" : "time.step"; }
   std::string came_too_close() const;
   std::string cause(const std::string& otherwise) const;
 

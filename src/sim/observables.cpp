@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace freshet {
 namespace {
 
@@ -19,14 +21,31 @@ std::string quoted(const std::string& name) {
   return out + "\"";
 }
 
+/// The solves of a step, by their solver and in its order: a table has their columns before the
+/// first of them is done.
+std::vector<std::string> solve_names(const Scene::Solver& solver) {
+  if (!solver.incompressible()) return {};
+  if (solver.name == SolverName::dfsph) return {"divergence", "density"};
+  return {"density"};
+}
+
+/// What has been solved under that name so far; nothing before the first step.
+SolveStatistics solve_named(const std::string& name, const Simulation& s) {
+  const auto& solves = s.solves();
+  const auto it = std::find_if(solves.begin(), solves.end(),
+                               [&](const SolveStatistics& solve) { return solve.name == name; });
+  return it == solves.end() ? SolveStatistics{} : *it;
+}
+
 }  // namespace
 
 std::string observables_header(const Scene& s) {
   const bool flat = s.dimension() == 2;
   const char *density = flat ? "kg/m^2" : "kg/m^3", *force = flat ? "N/m" : "N";
-  std::string line =
-      "step,time [s],time step [s],ruled by,least bound [s],"
-      "kinetic energy [J],potential energy [J]";
+  std::string line = "step,time [s],time step [s],ruled by,least bound [s]";
+  for (const std::string& name : solve_names(s.solver))
+    line += fmt::format(",{0} iterations,{0} solve error [%]", name);
+  line += ",kinetic energy [J],potential energy [J]";
   for (int d = 0; d < s.dimension(); ++d)
     line += fmt::format(",momentum {} [kg m/s]", axis_names[d]);
   line += fmt::format(
@@ -42,9 +61,13 @@ std::string observables_header(const Scene& s) {
 std::string observables_line(Simulation& s, const std::vector<Vector>& wall_forces) {
   const Statistics t = s.statistics();
   const TimeSteps& steps = s.time_steps();
-  std::string line =
-      fmt::format("{},{:.9g},{:.9g},{},{:.9g},{:.9g},{:.9g}", s.steps_done(), s.time(), steps.last,
-                  steps.last_ruled, s.bounds().least(), t.kinetic_energy, t.potential_energy);
+  std::string line = fmt::format("{},{:.9g},{:.9g},{},{:.9g}", s.steps_done(), s.time(), steps.last,
+                                 steps.last_ruled, s.bounds().least());
+  for (const std::string& name : solve_names(s.scene().solver)) {
+    const SolveStatistics solve = solve_named(name, s);
+    line += fmt::format(",{},{:.9g}", solve.last_iterations, 100 * solve.last_error);
+  }
+  line += fmt::format(",{:.9g},{:.9g}", t.kinetic_energy, t.potential_energy);
   for (const double p : t.momentum) line += fmt::format(",{:.9g}", p);
   line += fmt::format(",{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{}", t.density_mean,
                       t.density_max, 100 * t.density_error_mean, 100 * t.density_error_max,

@@ -3,10 +3,11 @@
 #pragma once
 #include <limits>
 
+#include "kernels/lattice_sum.h"
 #include "sim/enclosure.h"
-#include "solvers/delta_sph.h"
+#include "solvers/incompressible.h"
 #include "solvers/mueller2003.h"
-#include "solvers/wcsph.h"
+#include "solvers/weakly_compressible.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
@@ -44,6 +45,30 @@ WeaklyCompressibleParameters<D> weakly_compressible_parameters(const Scene& s, c
   c.gravity = vec_of<D, Real>(s.domain.gravity);
   c.confine = confinement<D>(s);
   c.integrator = s.integrator();
+  return c;
+}
+
+template <int D, class Kernel>
+IncompressibleParameters<D> incompressible_parameters(const Scene& s, const Derived& d,
+                                                      const Kernel& W) {
+  IncompressibleParameters<D> c{};
+  c.support = Real(d.support_radius);
+  c.h = Real(d.support_radius / 2);
+  c.m = Real(d.mass);
+  c.m_density = Real(d.mass / d.lattice_sum);
+  c.rho0 = Real(d.rest_density);
+  c.nu = Real(d.viscosity / d.rest_density);
+  c.xsph = Real(s.solver.xsph);
+  c.repulsion = Real(square(0.1 * d.sound_speed));
+  c.response = Real(lattice_response<D>(W, d.spacing, d.support_radius) * d.mass * d.mass);
+  c.stiffness = Real(lattice_stiffness<D>(W, d.spacing, d.support_radius));
+  c.gravity = vec_of<D, Real>(s.domain.gravity);
+  c.confine = confinement<D>(s);
+  c.warm_start = s.solver.warm_start;
+  c.accelerated = s.solver.iteration == Iteration::nesterov;
+  const int least = int(s.solver.min_iterations), most = int(s.solver.max_iterations);
+  c.density = {d.density_tolerance, least, most};
+  c.divergence = {s.solver.divergence_tolerance, least, most};
   return c;
 }
 

@@ -126,7 +126,9 @@ Panel time_step_panel(const std::vector<Run>& runs) {
                                    {"sound", "step, by sound", 0},
                                    {"step_max", "step_max", 1},
                                    {"force", "step, by force", 2},
-                                   {"viscosity", "step, by viscosity", 3}};
+                                   {"viscosity", "step, by viscosity", 3},
+                                   {"flow", "step, by flow", 4},
+                                   {"retry", "step, halved", 5}};
   Panel panel{"", "time [s]", "time step [s]", {}};
   for (const Run& run : runs) {
     add_line(panel, run, "least bound", "least bound", 7);
@@ -174,6 +176,13 @@ std::vector<Panel> usual_panels(const std::vector<Run>& runs) {
   panels.push_back(
       panel_of({"speed [m/s]", {{"speed mean", "mean"}, {"speed max", "fastest"}}}, runs));
   panels.push_back(time_step_panel(runs));
+  panels.push_back(panel_of(
+      {"iterations", {{"density iterations", "density"}, {"divergence iterations", "divergence"}}},
+      runs));
+  panels.push_back(
+      panel_of({"solve error [%]",
+                {{"density solve error", "density"}, {"divergence solve error", "divergence"}}},
+               runs));
   for (const char* axis : axis_names)
     panels.push_back(panel_of(forces_along(axis, runs[0].table), runs));
   std::erase_if(panels, [](const Panel& p) { return p.series.empty(); });

@@ -38,6 +38,7 @@ Report report_of(const Simulation& sim, const RunRecord& record) {
   r.time = sim.time();
   r.seconds = record.seconds;
   r.time_steps = sim.time_steps();
+  r.solves = sim.solves();
   r.statistics = sim.statistics();
   r.warnings = sim.warnings();
   r.verbs = sim.timings();

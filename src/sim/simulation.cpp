@@ -51,6 +51,8 @@ struct Simulation::Impl {
   std::vector<StateArray> state() const;
   std::string state_digest(StateArray::Role role) const;
   double next_step();
+  double advance(double dt, int halvings);
+  void note(const std::vector<Solve>& solves);
 
   Scene scene;
   Derived derived{};
@@ -58,6 +60,8 @@ struct Simulation::Impl {
   std::int64_t steps = 0;
   double time = 0, forces_asked = 0;
   TimeSteps time_steps;
+  std::vector<SolveStatistics> solves;
+  bool retries_help = true;
   std::optional<Health> health;  // refers to the scene
 };
 
@@ -71,6 +75,7 @@ const Scene& Simulation::scene() const { return impl_->scene; }
 std::int64_t Simulation::steps_done() const { return impl_->steps; }
 double Simulation::time() const { return impl_->time; }
 const TimeSteps& Simulation::time_steps() const { return impl_->time_steps; }
+const std::vector<SolveStatistics>& Simulation::solves() const { return impl_->solves; }
 const std::vector<Warning>& Simulation::warnings() const { return impl_->health->warnings(); }
 TimeStepBounds Simulation::bounds() { return impl_->engine->bounds(); }
 bool Simulation::finished() const {
@@ -105,15 +110,53 @@ std::string Simulation::Impl::state_digest(StateArray::Role role) const {
 
 void Simulation::step() {
   Impl& i = *impl_;
-  const double dt = i.next_step();
-  i.engine->step(dt);
+  const double dt = i.advance(i.next_step(), 0);
   ++i.steps;
   i.time = i.scene.time.adaptive ? i.time + dt : double(i.steps) * dt;
   i.time_steps.last = dt;
   i.time_steps.min = i.steps == 1 ? dt : std::min(i.time_steps.min, dt);
   i.time_steps.max = std::max(i.time_steps.max, dt);
   if (Health::due(i.steps) || finished())
-    i.health->look({i.steps, i.time, dt}, i.engine->fluid(), [&i] { return i.engine->bounds(); });
+    i.health->look({i.steps, i.time, dt}, i.engine->fluid(), i.solves,
+                   [&i] { return i.engine->bounds(); });
+}
+
+/// A step of dt; where a solve does not converge, in halves: an adaptive run takes the first of
+/// them for its step, a run of fixed steps takes both. Returns the time that was gone.
+double Simulation::Impl::advance(double dt, int halvings) {
+  constexpr int most_halvings = 3;
+  const auto solved = engine->step(dt);
+  const bool converged =
+      std::all_of(solved.begin(), solved.end(), [](const Solve& s) { return s.converged(); });
+  if (converged || !scene.time.retry || !retries_help || halvings == most_halvings) {
+    retries_help &= converged || halvings < most_halvings;
+    note(solved);
+    return dt;
+  }
+  engine->undo();
+  ++time_steps.retried;
+  const double first = advance(dt / 2, halvings + 1);
+  if (!scene.time.adaptive) return first + advance(dt / 2, halvings + 1);
+  if (time_steps.last_ruled != "retry") {
+    --time_steps.ruled[std::exchange(time_steps.last_ruled, "retry")];
+    ++time_steps.ruled["retry"];
+  }
+  return first;
+}
+
+void Simulation::Impl::note(const std::vector<Solve>& solved) {
+  solves.resize(solved.size());
+  for (std::size_t k = 0; k < solved.size(); ++k) {
+    SolveStatistics& s = solves[k];
+    s.name = solved[k].name;
+    s.tolerance = solved[k].tolerance;
+    ++s.solves;
+    s.iterations += s.last_iterations = solved[k].iterations;
+    s.most_iterations = std::max(s.most_iterations, s.last_iterations);
+    s.not_converged += !solved[k].converged();
+    s.last_error = solved[k].error;
+    if (!(s.last_error <= s.worst_error)) s.worst_error = s.last_error;  // no number is the worst
+  }
 }
 
 double Simulation::Impl::next_step() {
@@ -227,6 +270,8 @@ Checkpoint Simulation::checkpoint() const {
   c.watch = impl_->health->record();
   c.forces_asked = impl_->forces_asked;
   c.time_steps = impl_->time_steps;
+  c.solves = impl_->solves;
+  c.retries_help = impl_->retries_help;
   c.walls_sha256 = impl_->state_digest(StateArray::Role::fixed);
   for (const StateArray& a : impl_->state()) {
     if (a.role == StateArray::Role::fixed) continue;
@@ -273,6 +318,8 @@ void Simulation::restore(const Checkpoint& c) {
   impl_->health->go_on({c.steps, c.time, c.time_steps.last}, c.watch);
   impl_->forces_asked = c.forces_asked;
   impl_->time_steps = c.time_steps;
+  impl_->solves = c.solves;
+  impl_->retries_help = c.retries_help;
 }
 
 std::string Simulation::kept_sha256() const { return impl_->state_digest(StateArray::Role::kept); }

@@ -2,13 +2,11 @@
 /// What the weakly compressible solvers share: numbers, the equation of state, Adami's walls.
 #pragma once
 #include "boundary/confinement.h"
-#include "boundary/wall_sets.h"
 #include "freshet/time_step.h"
 #include "pairs/adami2012.h"
-#include "pairs/akinci2012.h"
 #include "pairs/monaghan2009.h"
-#include "solvers/backend.h"
 #include "solvers/integrators.h"
+#include "solvers/wall_samples.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
@@ -33,19 +31,6 @@ template <int D> struct WeaklyCompressibleParameters {
 FRESHET_HD Real tait(Real B, Real rho_over_rho0) {
   const Real q = rho_over_rho0, q2 = q * q;
   return B * (q2 * q2 * q2 * q - 1);
-}
-
-/// psi of all samples, once. Sorts the samples.
-template <int D, class B, class Kernel>
-void prepare_walls(B& backend, Walls<D>& walls, const Kernel& W,
-                   const WeaklyCompressibleParameters<D>& c) {
-  auto& wall = walls.akinci2012;
-  if (wall.n == 0) return;
-  backend.find_neighbors("walls", c.support, wall);
-  const auto psi = wall.psi;
-  const Real rho0 = c.rho0;
-  backend.sum_pairs("walls", wall, over(wall, Akinci2012Volume{W}),
-                    [=] FRESHET_LAMBDA(int k, Real sum) { psi[k] = rho0 / sum; });
 }
 
 /// p and v of Adami's wall particles. A wall pushes and never pulls.

@@ -109,6 +109,24 @@ TEST(Plot, DrawsTheColumnsAskedFor) {
             (std::set<std::string>{"below/a.svg", "run/observables.csv"}));
 }
 
+TEST(Plot, DrawsIterationsAndStepsThatWereHalved) {
+  const TemporaryFolder folder;
+  write_text(folder / "run/observables.csv",
+             "step,time [s],time step [s],ruled by,least bound [s],divergence iterations,"
+             "divergence solve error [%],density iterations,density solve error [%]\n"
+             "0,0,0,,0.5,0,0,0,0\n1,0.5,0.5,flow,0.5,2,0.05,3,0.009\n"
+             "2,0.75,0.25,retry,0.5,2,0.04,9,0.008\n3,1.25,0.5,flow,0.5,3,0.05,4,0.007\n");
+  const std::string svg = (folder / "a.svg").string();
+  const auto r = freshet({"plot", (folder / "run").string(), "--output", svg});
+  EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_EQ(panels_in(svg), 3u);  // time step, iterations, error of the solves
+  // lines and, after or before them, the legend's
+  EXPECT_EQ(lines_in(svg, vermilion).size(), 4u);  // divergence in two panels
+  const std::string orange = "rgb(90.2%,62.4%,0%)", sky = "rgb(33.7%,70.6%,91.4%)";
+  EXPECT_EQ(lines_in(svg, orange).size(), 2u);  // steps by flow
+  EXPECT_EQ(lines_in(svg, sky).size(), 2u);     // the one that was halved
+}
+
 TEST(Plot, WritesWhereItIsTold) {
   const TemporaryFolder folder;
   const std::string run = run_in(folder / "run");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// The program around the runs: help, listings, what is said to wrong arguments.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "cli/files.h"
@@ -212,12 +213,71 @@ TEST(Bench, ComparesValuesOfAKey) {
   EXPECT_EQ(runs[0].at("state_sha256"), runs[1].at("state_sha256"));
 }
 
+TEST(Bench, ComparesInATableOfMarkdown) {
+  const auto r = freshet({"bench", article, "--steps", "20", "--repeats", "1", "--compare",
+                          "solver.search=grid,all_pairs", "--markdown"});
+  EXPECT_EQ(r.code, 0) << r.err;
+  const auto lines = lines_of(r.out);
+  ASSERT_EQ(lines.size(), 4u) << r.out;
+  EXPECT_TRUE(lines[0].starts_with("| `solver.search` | time step [ms] | iterations a step |"));
+  EXPECT_EQ(lines[1], "|---|---|---|---|---|---|---|---|");
+  EXPECT_TRUE(lines[2].starts_with("| `grid` | 1 |  | ")) << lines[2];  // steps of 1 ms
+  EXPECT_TRUE(lines[3].starts_with("| `all_pairs` | 1 |  | ")) << lines[3];
+  for (const std::string& line : lines)
+    EXPECT_EQ(std::count(line.begin(), line.end(), '|'), 9) << line;
+}
+
+TEST(Bench, MeasuresAdaptiveStepsToTheEnd) {
+  const std::string scene = (source_dir / "tests/scenes/good/plain.toml").string();
+  const auto r =
+      freshet({"bench", scene, "--repeats", "1", "--json", "--set", "solver.name=wcsph", "--set",
+               "time.step=adaptive", "--set", "time.step_max=0.01", "--set", "time.end=0.02"});
+  ASSERT_EQ(r.code, 0) << r.err;
+  const Json json = Json::parse(r.out);
+  EXPECT_GE(json.at("time"), 0.02 * (1 - 1e-12));
+  EXPECT_GT(json.at("steps"), 20) << "the longest steps would be two";
+  EXPECT_FALSE(json.contains("iterations")) << "nothing iterates";
+}
+
+TEST(Bench, TellsOfIterations) {
+  const std::string scene = (source_dir / "tests/scenes/good/plain.toml").string();
+  const std::vector<std::string> compare{
+      "bench", scene, "--steps", "5", "--repeats", "1", "--compare", "solver.name=wcsph,dfsph"};
+  auto with = [&](const char* flag) {
+    auto all = compare;
+    all.push_back(flag);
+    const auto r = freshet(all);
+    EXPECT_EQ(r.code, 0) << r.err;
+    return r.out;
+  };
+  const Json runs = Json::parse(with("--json")).at("runs"), &dfsph = runs.at(1);
+  EXPECT_FALSE(runs.at(0).contains("iterations"));
+  const double iterations = dfsph.at("iterations");
+  EXPECT_DOUBLE_EQ(iterations, dfsph.at("divergence_iterations").get<double>() +
+                                   dfsph.at("density_iterations").get<double>());
+  EXPECT_NEAR(dfsph.at("particle_iterations_per_second").get<double>(),
+              iterations * dfsph.at("particle_steps_per_second").get<double>(), 1);
+  EXPECT_GT(dfsph.at("solve_particle_iterations_per_second"),
+            dfsph.at("particle_iterations_per_second"));
+  for (const char* key : {"density_error", "divergence_error", "density_error_worst", "retried"})
+    EXPECT_TRUE(dfsph.at(key).is_number()) << key;
+  const auto lines = lines_of(with("--markdown"));
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_TRUE(contains(lines[2], "| `wcsph` | 0.1 |  | ")) << lines[2];
+  EXPECT_TRUE(lines[3].starts_with(fmt::format("| `dfsph` | 0.1 | {:.3g} | ", iterations)))
+      << lines[3];
+}
+
 TEST(Bench, RefusesWhatItCannotCompare) {
   EXPECT_TRUE(contains(usage_error({"bench", article, "--compare", "grid"}), "KEY=A,B"));
   EXPECT_TRUE(contains(usage_error({"bench", article, "--compare", "=a,b"}), "KEY=A,B"));
   EXPECT_TRUE(contains(usage_error({"bench", article, "--compare", "solver.search=grid,fast"}),
                        "--set solver.search: error: "));
   EXPECT_TRUE(contains(usage_error({"bench", article, "--particles", "0"}), "--particles"));
+  EXPECT_TRUE(contains(usage_error({"bench", article, "--markdown"}), "--compare"));
+  EXPECT_TRUE(contains(usage_error({"bench", article, "--compare", "solver.search=grid,all_pairs",
+                                    "--markdown", "--json"}),
+                       "--json"));
 }
 
 }  // namespace

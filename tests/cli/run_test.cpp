@@ -49,6 +49,51 @@ TEST(Run, LogsJson) {
   EXPECT_EQ(events.back(), "done");
 }
 
+std::vector<std::string> run_of_dfsph(const fs::path& output, std::vector<std::string> more = {}) {
+  std::vector<std::string> all{"run",      (source_dir / "tests/scenes/good/plain.toml").string(),
+                               "--output", output.string(),
+                               "--set",    "solver.name=dfsph",
+                               "--set",    "time.step=0.0005"};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+TEST(Run, SaysHowItsSolverIterates) {
+  const TemporaryFolder folder;
+  const auto r = freshet(run_of_dfsph(folder.path()));
+  EXPECT_EQ(r.code, 0) << r.err;
+  for (const char* words : {" iterations  density ", "\n  divergence solve ", "\n  density solve ",
+                            " did not converge\n", "\n  steps halved "})
+    EXPECT_TRUE(contains(r.out, words)) << words << " in " << r.out;
+  const Json solves = report_of(folder.path()).at("solves");
+  ASSERT_EQ(solves.size(), 2u);
+  EXPECT_EQ(solves[0].at("name"), "divergence");
+  EXPECT_EQ(solves[1].at("name"), "density");
+  EXPECT_GE(solves[1].at("solves"), 20);  // one a step, and more where steps were halved
+}
+
+TEST(Run, LogsHowItsSolverIterates) {
+  const TemporaryFolder folder;
+  const auto r = freshet(run_of_dfsph(folder.path(), {"--log", "json"}));
+  EXPECT_EQ(r.code, 0) << r.err;
+  Json progress, done;
+  for (const std::string& line : lines_of(r.out)) {
+    const Json json = Json::parse(line, nullptr, false);
+    if (json.at("event") == "progress") progress = json;
+    if (json.at("event") == "done") done = json;
+  }
+  for (const Json& json : {progress, done}) {
+    ASSERT_EQ(json.at("solves").size(), 2u) << json;
+    EXPECT_EQ(json.at("solves")[1].at("name"), "density");
+    EXPECT_TRUE(json.at("solves")[1].at("error").is_number());
+    EXPECT_TRUE(json.at("retried").is_number());
+  }
+  EXPECT_GE(progress.at("solves")[1].at("iterations"), 1);
+  const Json solves = report_of(folder.path()).at("solves");
+  EXPECT_EQ(done.at("solves")[1].at("mean_iterations"), solves[1].at("mean_iterations"));
+  EXPECT_EQ(done.at("solves")[1].at("worst_error"), solves[1].at("worst_error"));
+}
+
 TEST(Run, SaysNothingWhereQuiet) {
   const TemporaryFolder folder;
   const auto r = freshet(good_run(folder.path(), {"--quiet"}));

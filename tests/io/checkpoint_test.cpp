@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <limits>
 
 #include "sim/small_scenes.h"
 
@@ -69,6 +70,43 @@ TEST(CheckpointFile, GivesBackWhatItWasGiven) {
       << "equal states are equal bytes";
 }
 
+TEST(CheckpointFile, RemembersTheIterations) {
+  Checkpoint a = checkpoint();
+  a.time_steps.retried = 5;
+  a.retries_help = false;
+  a.solves = {{"divergence", 0.001, 20, 30, 4, 0, 2, 0.1, 1.0 / 3},
+              {"density", 0.0001, 21, 50, 9, 1, 3, 1e-300, 0.2}};
+  const Checkpoint b = decode_checkpoint(encode_checkpoint(a), "step.h5");
+  EXPECT_EQ(5, b.time_steps.retried);
+  EXPECT_FALSE(b.retries_help);
+  EXPECT_TRUE(decode_checkpoint(encode_checkpoint(checkpoint()), "step.h5").retries_help);
+  ASSERT_EQ(2u, b.solves.size());
+  for (std::size_t k = 0; k < 2; ++k) {
+    const SolveStatistics &given = a.solves[k], &got = b.solves[k];
+    EXPECT_EQ(given.name, got.name);
+    EXPECT_EQ(given.tolerance, got.tolerance);
+    EXPECT_EQ(given.solves, got.solves);
+    EXPECT_EQ(given.iterations, got.iterations);
+    EXPECT_EQ(given.most_iterations, got.most_iterations);
+    EXPECT_EQ(given.not_converged, got.not_converged);
+    EXPECT_EQ(given.last_iterations, got.last_iterations);
+    EXPECT_EQ(given.last_error, got.last_error);
+    EXPECT_EQ(given.worst_error, got.worst_error);
+  }
+}
+
+TEST(CheckpointFile, TakesErrorsThatAreNoNumbersForTheGreatest) {
+  constexpr double most = std::numeric_limits<double>::max();
+  Checkpoint a = checkpoint();
+  a.solves.resize(1);
+  a.solves[0].last_error = std::numeric_limits<double>::quiet_NaN();
+  a.solves[0].worst_error = std::numeric_limits<double>::infinity();
+  const Checkpoint b = decode_checkpoint(encode_checkpoint(a), "step.h5");
+  ASSERT_EQ(1u, b.solves.size());
+  EXPECT_EQ(most, b.solves[0].last_error);
+  EXPECT_EQ(most, b.solves[0].worst_error);
+}
+
 TEST(CheckpointFile, IsNotReadTorn) {
   const std::string bytes = encode_checkpoint(checkpoint());
   for (const std::size_t size : {std::size_t(0), std::size_t(10), std::size_t(511),
@@ -98,11 +136,11 @@ TEST(CheckpointFile, IsNotReadWithAnyBitFlipped) {
 
 TEST(CheckpointFile, OfAnotherFormatNamesTheVersion) {
   std::string bytes = encode_checkpoint(checkpoint());
-  bytes[bytes.find("format 1") + 7] = '2';
+  bytes[bytes.find("format 2") + 7] = '1';
   bytes[bytes.find("version 0.1.0") + 8] = '9';
   EXPECT_EQ(
-      "step.h5: error: this checkpoint has format 2, written by Freshet 9.1.0; this program, "
-      "Freshet 0.1.0, reads format 1; go on with that version",
+      "step.h5: error: this checkpoint has format 1, written by Freshet 9.1.0; this program, "
+      "Freshet 0.1.0, reads format 2; go on with that version",
       refusal(bytes));
 }
 

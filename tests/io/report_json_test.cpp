@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "freshet/report.h"
@@ -27,6 +28,39 @@ TEST(ReportJson, HoldsWhatTheStatisticsAre) {
   EXPECT_EQ(7, json.at("time_steps").at("ruled").at("sound"));
   EXPECT_EQ("density", json.at("verbs").at(0).at("name"));
   EXPECT_EQ(1000, json.at("verbs").at(0).at("ns_per_particle"));
+}
+
+TEST(ReportJson, TellsOfEachSolve) {
+  Report report;
+  report.time_steps.retried = 3;
+  report.solves = {{"divergence", 0.001, 20, 30, 4, 0, 2, 0.0005, 0.0009},
+                   {"density", 0.0001, 20, 50, 9, 1, 3, 0.00009, 0.0002}};
+  const auto json = nlohmann::json::parse(to_json(report));
+  EXPECT_EQ(3, json.at("time_steps").at("retried"));
+  const auto& solves = json.at("solves");
+  ASSERT_EQ(2u, solves.size());
+  EXPECT_EQ("divergence", solves[0].at("name"));
+  EXPECT_EQ(1.5, solves[0].at("mean_iterations"));
+  const nlohmann::json density{{"name", "density"},      {"tolerance", 0.0001},
+                               {"solves", 20},           {"iterations", 50},
+                               {"mean_iterations", 2.5}, {"most_iterations", 9},
+                               {"not_converged", 1},     {"last_iterations", 3},
+                               {"last_error", 0.00009},  {"worst_error", 0.0002}};
+  EXPECT_EQ(density, solves[1]);
+}
+
+TEST(ReportJson, HasNoSolvesWhereNothingIterates) {
+  const auto json = nlohmann::json::parse(to_json(Report{}));
+  EXPECT_EQ(nlohmann::json::array(), json.at("solves"));
+  EXPECT_EQ(0, json.at("time_steps").at("retried"));
+}
+
+TEST(ReportJson, HasNullForAnErrorThatIsNoNumber) {
+  Report report;
+  report.solves.resize(1);
+  report.solves[0].last_error = std::numeric_limits<double>::quiet_NaN();
+  const auto json = nlohmann::json::parse(to_json(report));
+  EXPECT_TRUE(json.at("solves")[0].at("last_error").is_null());
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/observables.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <sstream>
 
 #include "sim/small_scenes.h"
 
@@ -55,6 +58,26 @@ TEST(Observables, NameThreeAxesAndWallsThatAreCalledOddly) {
                                            "\"force on rock, \"\"big\"\" and wet x [N]\","));
 }
 
+TEST(Observables, NameTheSolvesOfASolver) {
+  Scene scene;
+  scene.domain.max = {1, 1};
+  const auto solves = [&](SolverName name) {
+    scene.solver.name = name;
+    const std::string header = observables_header(scene), front = ",least bound [s]",
+                      back = ",kinetic energy [J]";
+    const auto from = header.find(front) + front.size();
+    return header.substr(from, header.find(back) - from);
+  };
+  for (const auto name : {SolverName::mueller2003, SolverName::wcsph, SolverName::delta_sph})
+    EXPECT_EQ("", solves(name));
+  for (const auto name : {SolverName::pcisph, SolverName::iisph, SolverName::pbf})
+    EXPECT_EQ(",density iterations,density solve error [%]", solves(name));
+  EXPECT_EQ(
+      ",divergence iterations,divergence solve error [%],density iterations,"
+      "density solve error [%]",
+      solves(SolverName::dfsph));
+}
+
 TEST(Observables, AreALineOfNumbers) {
   Simulation sim = simulation_of(two_particles);
   sim.step();
@@ -66,6 +89,36 @@ TEST(Observables, AreALineOfNumbers) {
       "313.725494,313.725494,0,0,1.53077641,2.06155281,1,1,2,3,4,0,0,"
       "-0.5,1e-09\n",
       observables_line(sim, forces));
+}
+
+TEST(Observables, TellOfTheSolvesOfTheLastStep) {
+  Simulation sim = simulation_of(
+      "[domain]\nmax = [1.0, 1.0]\n[particles]\nspacing = 0.05\n[fluid]\nmin = [0, 0]\n"
+      "max = [0.5, 0.5]\n[solver]\nname = \"dfsph\"\n[time]\nend = 0.05\nstep = 0.0005\n");
+  const auto fields = [](const std::string& line) {
+    std::vector<std::string> all;
+    std::istringstream in(line);
+    for (std::string field; std::getline(in, field, ',');) all.push_back(field);
+    return all;
+  };
+  const auto names = fields(observables_header(sim.scene()));
+  const std::vector<Vector> forces(sim.scene().wall_names().size(), {0, 0});
+  const auto solves_in = [&](const std::string& line) {
+    const auto all = fields(line);
+    EXPECT_EQ(names.size(), all.size());
+    return std::vector(all.begin() + 5, all.begin() + 9);
+  };
+  EXPECT_EQ((std::vector<std::string>{"0", "0", "0", "0"}),
+            solves_in(observables_line(sim, forces)));
+  for (int k = 0; k < 3; ++k) sim.step();
+  ASSERT_EQ(2u, sim.solves().size());
+  std::vector<std::string> expected;
+  for (const SolveStatistics& s : sim.solves()) {
+    EXPECT_GT(s.last_iterations, 0);
+    expected.push_back(std::to_string(s.last_iterations));
+    expected.push_back(fmt::format("{:.9g}", 100 * s.last_error));
+  }
+  EXPECT_EQ(expected, solves_in(observables_line(sim, forces)));
 }
 
 TEST(Observables, TellWhatRuledTheStep) {

@@ -99,6 +99,9 @@ TEST_P(SameBits, AfterARestart) {
     expect_equal(outcome_of(first), outcome_of(second), backend);
     EXPECT_EQ(first.time_steps().ruled, second.time_steps().ruled);
     EXPECT_EQ(first.time_steps().min, second.time_steps().min);
+    EXPECT_EQ(first.time_steps().retried, second.time_steps().retried);
+    for (std::size_t k = 0; k < first.solves().size(); ++k)
+      EXPECT_EQ(first.solves()[k].iterations, second.solves()[k].iterations);
   }
 }
 
@@ -129,6 +132,14 @@ constexpr const char* fourtakas_c4 =
 constexpr const char* antuono_c2 =
     "name = \"delta_sph\"\nsound_speed = 30.0\nkernel = \"wendland_c2\"\n"
     "density_diffusion = \"antuono2010\"";
+constexpr const char* pcisph = "name = \"pcisph\"";
+constexpr const char* iisph = "name = \"iisph\"";
+constexpr const char* iisph_c2 = "name = \"iisph\"\nkernel = \"wendland_c2\"";
+constexpr const char* dfsph = "name = \"dfsph\"";
+constexpr const char* dfsph_c6 =
+    "name = \"dfsph\"\nkernel = \"wendland_c6\"\niteration = \"jacobi\"";
+constexpr const char* dfsph_hasty = "name = \"dfsph\"\nmax_iterations = 3";  // halves its steps
+constexpr const char* pbf = "name = \"pbf\"";
 constexpr const char* adaptive = "\"adaptive\"\nstep_max = 0.001";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -153,6 +164,23 @@ INSTANTIATE_TEST_SUITE_P(In3D, SameBits,
                                            Words{3, antuono_c2, periodic_x, "symplectic_euler"},
                                            Words{3, fourtakas_cubic, monaghan, "verlet"},
                                            Words{3, fourtakas_cubic, periodic_xyz, "", adaptive}));
+
+INSTANTIATE_TEST_SUITE_P(
+    SolvedIn2D, SameBits,
+    ::testing::Values(Words{2, pcisph, akinci, ""}, Words{2, pcisph, periodic_x, "", adaptive},
+                      Words{2, iisph, ghost_slips, ""}, Words{2, iisph_c2, akinci, "", adaptive},
+                      Words{2, dfsph, akinci, ""}, Words{2, dfsph, reflection, ""},
+                      Words{2, dfsph, periodic_x, ""}, Words{2, dfsph_c6, monaghan, ""},
+                      Words{2, dfsph_hasty, akinci_slips, "", "0.004"},
+                      Words{2, dfsph_hasty, ghost, "", "\"adaptive\"\nstep_max = 0.004"},
+                      Words{2, pbf, akinci, ""}, Words{2, pbf, ghost, ""},
+                      Words{2, pbf, periodic_xy, "", adaptive}));
+
+INSTANTIATE_TEST_SUITE_P(SolvedIn3D, SameBits,
+                         ::testing::Values(Words{3, pcisph, ghost, ""}, Words{3, iisph, akinci, ""},
+                                           Words{3, dfsph, akinci_slips, "", adaptive},
+                                           Words{3, dfsph_c6, periodic_xyz, ""},
+                                           Words{3, pbf, akinci, ""}));
 
 // A drop a thousand domains away costs neither memory nor bits.
 TEST(FarFlung, HasTheReferencesBits) {

@@ -35,9 +35,13 @@ template <int D> class CpuBackend {
       std::memset(static_cast<void*>(field.data + b), 0, std::size_t(e - b) * sizeof(T));
     });
     if (keep == Keep::kept)
-      of(set).kept.push_back({reinterpret_cast<std::byte*>(field.data), sizeof(T)});
+      of(set).kept.push_back({reinterpret_cast<std::byte*>(field.data), sizeof(T), {}});
   }
   const std::vector<VerbTiming>& timings() const { return timings_.list(); }
+
+  /// Copies of what is kept, for a step that may be taken back.
+  void save(const char* name, const Particles<D>& p) { copy_kept(name, p, true); }
+  void restore(const char* name, const Particles<D>& p) { copy_kept(name, p, false); }
 
   /// Sorts `moving` (and, the first time, the sets that stand still), then lists for each of its
   /// particles the neighbours in every set.
@@ -111,6 +115,7 @@ template <int D> class CpuBackend {
   struct KeptField {
     std::byte* data;
     std::size_t bytes;  // a particle
+    Buffer<std::byte> saved;
   };
   struct Set {
     explicit Set(typename Copies<D>::Rules rules) : copies(std::move(rules)) {}
@@ -120,6 +125,17 @@ template <int D> class CpuBackend {
     bool sorted = false;
     std::vector<std::unique_ptr<SlicedLists<D>>> lists;  // by number of the source set
   };
+  void copy_kept(const char* name, const Particles<D>& p, bool save) {
+    const auto timer = timings_.time(name, p.n);
+    for (KeptField& field : of(p).kept) {
+      std::byte* saved = field.saved.reserve(std::size_t(p.n) * field.bytes);
+      threads_.blocks(p.n, [&](int b, int e) {
+        const std::size_t first = std::size_t(b) * field.bytes;
+        std::memcpy((save ? saved : field.data) + first, (save ? field.data : saved) + first,
+                    std::size_t(e - b) * field.bytes);
+      });
+    }
+  }
   Set& of(const Particles<D>& p) { return *sets_[std::size_t(p.set)]; }
 
   template <class Finish, class... Overs>

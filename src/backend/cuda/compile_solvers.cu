@@ -6,7 +6,11 @@
 #include "kernels/wendland.h"
 #include "kernels/wendland_smooth.h"
 #include "solvers/delta_sph.h"
+#include "solvers/dfsph.h"
+#include "solvers/iisph.h"
 #include "solvers/mueller2003.h"
+#include "solvers/pbf.h"
+#include "solvers/pcisph.h"
 #include "solvers/wcsph.h"
 
 namespace freshet {
@@ -23,6 +27,11 @@ template struct Wcsph<3, Device<3>, WendlandSmooth>;
 template struct DeltaSph<2, Device<2>, WendlandC4>;
 template struct DeltaSph<3, Device<3>, WendlandC2>;
 template struct DeltaSph<3, Device<3>, WendlandC6>;
+template struct Pcisph<2, Device<2>, CubicSpline>;
+template struct Iisph<3, Device<3>, WendlandSmooth>;
+template struct Dfsph<2, Device<2>, WendlandSmooth>;
+template struct Dfsph<3, Device<3>, CubicSpline>;
+template struct Pbf<3, Device<3>, CubicSpline>;
 
 }  // namespace FRESHET_ISA
 }  // namespace freshet

@@ -28,12 +28,24 @@ template <int D> class ReferenceBackend {
     copies_.emplace_back(std::move(rules));
   }
   /// Memory for one T a particle and copy, all zeros; the backend owns it.
-  template <class T> void allocate(const Particles<D>& set, Keep, Field<T>& field) {
+  template <class T> void allocate(const Particles<D>& set, Keep keep, Field<T>& field) {
     const std::size_t room = std::size_t(copies_[std::size_t(set.set)].room());
-    memory_.push_back(std::make_unique<std::byte[]>(sizeof(T) * std::size_t(set.n) * room));
+    const std::size_t bytes = sizeof(T) * std::size_t(set.n);
+    memory_.push_back(std::make_unique<std::byte[]>(bytes * room));
     field.data = reinterpret_cast<T*>(memory_.back().get());
+    if (keep == Keep::kept) kept_.push_back({set.set, memory_.back().get(), bytes, {}});
   }
   const std::vector<VerbTiming>& timings() const { return timings_.list(); }
+
+  /// Copies of what is kept, for a step that may be taken back.
+  void save(const char*, const Particles<D>& p) {
+    for (KeptField& field : kept_)
+      if (field.set == p.set) field.saved.assign(field.data, field.data + field.bytes);
+  }
+  void restore(const char*, const Particles<D>& p) {
+    for (KeptField& field : kept_)
+      if (field.set == p.set) std::copy(field.saved.begin(), field.saved.end(), field.data);
+  }
 
   template <class... Sets>
   void find_neighbors(const char* name, Real support_radius, Particles<D>& moving,
@@ -88,6 +100,13 @@ template <int D> class ReferenceBackend {
   }
 
  private:
+  struct KeptField {
+    int set;
+    std::byte* data;
+    std::size_t bytes;
+    std::vector<std::byte> saved;
+  };
+
   void list(Real h, const Particles<D>& targets, const Particles<D>& sources) {
     if (targets.n == 0 || sources.n == 0) return;
     lists_[{targets.set, sources.set}].build(search_, order_, h, targets, sources);
@@ -140,6 +159,7 @@ template <int D> class ReferenceBackend {
   std::vector<Copies<D>> copies_;              // by set
   std::vector<std::vector<Vec<D>>> searched_;  // by set: positions when neighbours were found
   std::map<std::pair<int, int>, NeighborLists<D>> lists_;  // by targets and sources
+  std::vector<KeptField> kept_;
   std::vector<std::byte> neighbor_memory_, sum_memory_;
   std::vector<std::unique_ptr<std::byte[]>> memory_;
   Timings timings_;

@@ -7,28 +7,43 @@
 #include <thread>
 
 #include "core/portable.h"
+#include "scene/keys.h"
 
 namespace freshet {
+inline namespace FRESHET_ISA {
+template <SolverName, int> std::unique_ptr<Engine> make_reference_engine(const EngineInput&);
+}
+
+/// The engines of a backend, by solver.
+struct Makers {
+  std::vector<MakeEngine*> flat, deep;  ///< in 2D, in 3D
+};
 
 // src/CMakeLists.txt says which instruction sets are compiled: FRESHET_CPU_ENGINES calls
 // FRESHET_CPU_ENGINE(isa) for each, the best first.
-#define FRESHET_CPU_ENGINE(isa)  \
-  namespace isa {                \
-  MakeEngine make_cpu_engine_2d; \
-  MakeEngine make_cpu_engine_3d; \
+#define FRESHET_CPU_ENGINE(isa)                                                           \
+  namespace isa {                                                                         \
+  template <SolverName, int> std::unique_ptr<Engine> make_cpu_engine(const EngineInput&); \
+  template <int... solver> Makers cpu_makers(std::integer_sequence<int, solver...>) {     \
+    return {{make_cpu_engine<SolverName(solver), 2>...},                                  \
+            {make_cpu_engine<SolverName(solver), 3>...}};                                 \
+  }                                                                                       \
   }
 FRESHET_CPU_ENGINES
 #undef FRESHET_CPU_ENGINE
-inline namespace FRESHET_ISA {
-MakeEngine make_reference_engine_2d;
-MakeEngine make_reference_engine_3d;
-}  // namespace FRESHET_ISA
 
 namespace {
 
+using Solvers = std::make_integer_sequence<int, std::size(solver_words)>;
+
+template <int... solver> Makers reference_makers(std::integer_sequence<int, solver...>) {
+  return {{make_reference_engine<SolverName(solver), 2>...},
+          {make_reference_engine<SolverName(solver), 3>...}};
+}
+
 struct InstructionSet {
   std::string name;
-  MakeEngine *make_2d, *make_3d;
+  Makers makers;
 };
 
 bool supported(const std::string& name) {
@@ -48,7 +63,7 @@ bool supported(const std::string& name) {
 /// Those that were compiled and that this machine has, best first.
 std::vector<InstructionSet> instruction_sets() {
   std::vector<InstructionSet> all{
-#define FRESHET_CPU_ENGINE(isa) {#isa, isa::make_cpu_engine_2d, isa::make_cpu_engine_3d},
+#define FRESHET_CPU_ENGINE(isa) {#isa, isa::cpu_makers(Solvers{})},
       FRESHET_CPU_ENGINES
 #undef FRESHET_CPU_ENGINE
   };
@@ -84,11 +99,11 @@ std::unique_ptr<Engine> make_engine(const Scene& scene, const Derived& derived,
                                     const Execution& execution) {
   const Sample start = sample(scene);
   const EngineInput input{scene, derived, start, thread_count(execution.threads)};
-  const bool flat = scene.dimension() == 2;
-  if (scene.solver.backend == BackendName::reference)
-    return flat ? make_reference_engine_2d(input) : make_reference_engine_3d(input);
-  const InstructionSet set = choose(execution.isa);
-  return flat ? set.make_2d(input) : set.make_3d(input);
+  const Makers makers = scene.solver.backend == BackendName::reference
+                            ? reference_makers(Solvers{})
+                            : choose(execution.isa).makers;
+  const auto& of_dimension = scene.dimension() == 2 ? makers.flat : makers.deep;
+  return of_dimension[std::size_t(scene.solver.name)](input);
 }
 
 }  // namespace freshet

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "core/field.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+/// What a particle's density is, and how it answers to a pressure of its own.
+template <int D, class R> struct DensityAndResponse {
+  R rho{}, gradient2{};  ///< sum_j m W_ij;  sum_j |m grad W_ij|^2 over what can move
+  Vec<D, R> gradient{};  ///< sum_j m grad W_ij
+  FRESHET_HD DensityAndResponse& operator+=(const DensityAndResponse& o) {
+    rho += o.rho;
+    gradient2 += o.gradient2;
+    gradient += o.gradient;
+    return *this;
+  }
+  /// |sum_j m grad W_ij|^2 + sum_j |m grad W_ij|^2: how fast Drho_i/Dt falls as p_i/rho_i^2 grows,
+  /// pushed for a unit of time  [Bender and Koschier 2017, eq. 9: rho_i/alpha_i; Ihmsen 2014,
+  /// eq. 12: -rho_i^2 a_ii/dt^2]
+  FRESHET_HD R response() const { return norm2(gradient) + gradient2; }
+};
+
+///   m  mass [kg];  m_density  mass over the kernel's lattice sum [kg]
+template <int D, template <int> class Kernel> struct FluidDensityAndResponse {
+  Kernel<D> W;
+  Real m, m_density;
+  template <class R> using At = Nothing<R>;
+  template <class R> using Neighbor = Nothing<R>;
+  FRESHET_HD At<Real> at(int) const { return {}; }
+  FRESHET_HD Neighbor<Real> neighbor(int) const { return {}; }
+  template <class R>
+  FRESHET_HD DensityAndResponse<D, R> operator()(const Pair<D, R>& ij, At<R>, At<R>) const {
+    const Vec<D, R> gradient = m * W.gradient(ij);
+    return {m_density * W(ij), norm2(gradient), gradient};
+  }
+};
+template <int D, template <int> class K, class... A>
+FluidDensityAndResponse(K<D>, A...) -> FluidDensityAndResponse<D, K>;
+
+/// Of the samples of a wall, which do not move.
+template <int D, template <int> class Kernel> struct Akinci2012DensityAndResponse {
+  Kernel<D> W;
+  Field<Real> psi;
+  template <class R> using At = Nothing<R>;
+  template <class R> struct Neighbor { R psi; };
+  FRESHET_HD At<Real> at(int) const { return {}; }
+  FRESHET_HD Neighbor<Real> neighbor(int k) const { return {psi[k]}; }
+  template <class R>
+  FRESHET_HD DensityAndResponse<D, R> operator()(const Pair<D, R>& ik, At<R>,
+                                                 const Neighbor<R>& k) const {
+    return {k.psi * W(ik), R(0), k.psi * W.gradient(ik)};
+  }
+};
+template <int D, template <int> class K, class... A>
+Akinci2012DensityAndResponse(K<D>, A...) -> Akinci2012DensityAndResponse<D, K>;
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

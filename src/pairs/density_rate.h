@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "core/field.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+/// Drho_i/Dt = sum_j m (v_i - v_j) · grad W_ij  [Bender and Koschier 2017, eq. 10]
+///
+///   m [kg], v [m/s]: the rate in kg/m^D/s; or of accelerations, the rate's own
+template <int D, template <int> class Kernel> struct DensityRate {
+  Kernel<D> W;
+  Real m;
+  Field<Vec<D>> v;
+  template <class R> struct At { Vec<D, R> v; };
+  template <class R> using Neighbor = At<R>;
+  FRESHET_HD At<Real> at(int i) const { return {v[i]}; }
+  FRESHET_HD Neighbor<Real> neighbor(int j) const { return at(j); }
+  template <class R>
+  FRESHET_HD R operator()(const Pair<D, R>& ij, const At<R>& i, const At<R>& j) const {
+    return m * dot(i.v - j.v, W.gradient(ij));
+  }
+};
+template <int D, template <int> class K, class... A> DensityRate(K<D>, A...) -> DensityRate<D, K>;
+
+/// Drho_i/Dt += sum_k psi_k v_i · grad W_ik  over samples of walls at rest  [Akinci 2012]
+template <int D, template <int> class Kernel> struct Akinci2012DensityRate {
+  Kernel<D> W;
+  Field<Real> psi;
+  Field<Vec<D>> v;
+  template <class R> struct At { Vec<D, R> v; };
+  template <class R> struct Neighbor { R psi; };
+  FRESHET_HD At<Real> at(int i) const { return {v[i]}; }
+  FRESHET_HD Neighbor<Real> neighbor(int k) const { return {psi[k]}; }
+  template <class R>
+  FRESHET_HD R operator()(const Pair<D, R>& ik, const At<R>& i, const Neighbor<R>& k) const {
+    return k.psi * dot(i.v, W.gradient(ik));
+  }
+};
+template <int D, template <int> class K, class... A>
+Akinci2012DensityRate(K<D>, A...) -> Akinci2012DensityRate<D, K>;
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "solvers/incompressible.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+template <int D> struct IisphFluid : IncompressibleFluid<D> {
+  Field<Real> rho_adv;  ///< scratch: density that the other forces lead to [kg/m^D]
+  Field<Vec<D>> a_p;    ///< scratch: acceleration by the pressures
+  template <class Visit> void fields(Visit visit) {
+    IncompressibleFluid<D>::fields(visit);
+    visit("rho_adv", Keep::scratch, rho_adv);
+    visit("a_p", Keep::scratch, a_p);
+  }
+};
+
+/// Implicit incompressible SPH [Ihmsen, Cornelis, Solenthaler, Horvath, Teschner 2014], algorithm
+/// 1: a relaxed Jacobi iteration for pressures p >= 0, here k = p/rho^2, that give every particle
+/// its rest density. The sums of d_ij p_j are the accelerations that the pressures give, and the
+/// product with the matrix is the rate of the density by them.
+template <int D, Backend<D> B, template <int> class Kernel>
+struct Iisph : Incompressible<D, B, Kernel, IisphFluid<D>> {
+  using Base = Incompressible<D, B, Kernel, IisphFluid<D>>;
+  using Base::c;
+  using typename Base::Fluid;
+
+  std::array<Solve, 1> step(B& backend, Fluid& fluid, Walls<D>& w, const Tick& t) const {
+    this->find_neighbors(backend, fluid, w);
+    const auto f = fluid;
+    const Real dt = t.dt, start = c.warm_start ? Real(0.5f) : 0;
+    this->density_and_factor(backend, f, w);
+    this->push_without_pressure(backend, f, w, dt, c.gravity);  // v_adv
+    this->density_rate(backend, f, w, f.v, [=] FRESHET_LAMBDA(int i, Real rate) {
+      f.rho_adv[i] = f.rho[i] + dt * rate;  // eq. 4
+      f.k[i] = start * f.k[i];
+    });
+    const Solve density = solve(
+        "density", c.density, [&] { return iterate(backend, f, w, dt); }, [](double) {});
+    this->pressure_acceleration(backend, f, w, f.k, [=] FRESHET_LAMBDA(int i, Vec<D> a) {
+      f.a[i] += a;
+      f.v[i] += dt * a;  // eq. 15
+    });
+    this->drift(backend, f, dt);
+    return {density};
+  }
+
+  // Public for nvcc, which takes no lambdas from private functions.
+  /// One iteration of the pressures; returns the error before it.
+  double iterate(B& backend, const Fluid& fluid, const Walls<D>& w, Real dt) const {
+    const auto f = fluid;
+    const Real rho0 = c.rho0, dt2 = dt * dt, omega = c.relaxation(0.5f);
+    this->pressure_acceleration(backend, f, w, f.k,
+                                [=] FRESHET_LAMBDA(int i, Vec<D> a) { f.a_p[i] = a; });
+    backend.share("a_p", f, f.a_p);
+    this->density_rate(backend, f, w, f.a_p, [=] FRESHET_LAMBDA(int i, Real rate) {
+      const Real excess = f.rho_adv[i] - rho0 + dt2 * rate, k_per_excess = f.factor[i] / dt2;
+      f.excess[i] = Base::left_of(excess, f.k[i], k_per_excess);
+      f.k[i] = max(f.k[i] + omega * k_per_excess * excess, Real(0));  // eq. 13
+    });
+    return this->error(backend, f);
+  }
+};
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+/// Particles made by hand under the watch of a run.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "scene/setup.h"
+#include "sim/health.h"
+
+namespace freshet::test {
+
+/// Ten times ten particles of water in a box of 1 m without gravity; the speed of sound is 10 m/s.
+/// They start at 20 m/s, so that speeds up to there make no energy.
+class Pool {
+ public:
+  explicit Pool(const std::string& more = "", const std::string& domain = "gravity = [0, 0]\n",
+                const std::string& step = "step = 0.0005\n",
+                const std::string& rest =
+                    "velocity = [20, 0]\n[solver]\nname = \"wcsph\"\nsound_speed = 10\n")
+      : scene_(with_defaults(parse_scene(
+            "[domain]\nmax = [1, 1]\n" + domain +
+                "[particles]\nspacing = 0.05\n[fluid]\nmin = [0, 0]\nmax = [0.5, 0.5]\n" + rest +
+                "[time]\nend = 10\n" + step + more,
+            "pool.toml"))),
+        derived_(derive(scene_)) {
+    const Sample start = sample(scene_);
+    x = start.x;
+    v = start.v;
+    density.assign(x.size() / 2, 1000);
+    pressure.assign(x.size() / 2, 0);
+    id.resize(x.size() / 2);
+    std::iota(id.begin(), id.end(), 0u);
+    bounds = {0.002, 0.002, 0.002};
+    begin_again();
+  }
+  Pool(const Pool&) = delete;  // its watch refers to it
+
+  /// As if what the particles are now were after the first step.
+  void begin_again() {
+    health_ = std::make_unique<Health>(scene_, derived_, view());
+    look(1);
+  }
+
+  void look(std::int64_t step) {
+    health_->look({step, double(step) * 0.0005, 0.0005}, view(), solves, [this] { return bounds; });
+  }
+  /// What a look says that ends the run; empty where it goes on.
+  std::string failure(std::int64_t step) {
+    try {
+      look(step);
+    } catch (const Error& e) {
+      EXPECT_EQ(Error::Kind::run, e.kind());
+      return e.what();
+    }
+    return "";
+  }
+  /// What ends an adaptive run whose step fell to nothing.
+  std::string step_failure() {
+    try {
+      health_->fail_for_step({10, 0.005, 1e-12}, bounds);
+    } catch (const Error& e) {
+      return e.what();
+    }
+  }
+  const WatchRecord& record() const { return health_->record(); }
+  /// As a restart after this step does.
+  void go_on(std::int64_t step, const WatchRecord& record) {
+    health_ = std::make_unique<Health>(scene_, derived_, view());
+    health_->go_on({step, double(step) * 0.0005, 0.0005}, record);
+  }
+  const std::vector<Warning>& warnings() const { return health_->warnings(); }
+  /// The one warning that there is.
+  const Warning& warning() const {
+    EXPECT_EQ(1u, warnings().size());
+    return warnings().at(0);
+  }
+
+  std::vector<Real> x, v, density, pressure;
+  std::vector<std::uint64_t> id;
+  TimeStepBounds bounds{};
+  std::vector<SolveStatistics> solves;
+
+ private:
+  ParticleView view() const { return {2, id, x, v, density, pressure}; }
+
+  Scene scene_;
+  Derived derived_;
+  std::unique_ptr<Health> health_;
+};
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+inline const std::string warn = "[checks]\nwhen_wrong = \"warn\"\n";
+
+/// Neighbours move against each other.
+inline void shake(Pool& pool, Real speed) {
+  for (std::size_t k = 0; k < pool.id.size(); ++k) pool.v[2 * k] = k % 2 ? speed : -speed;
+}
+
+}  // namespace freshet::test
