@@ -129,7 +129,7 @@ double Simulation::Impl::advance(double dt, int halvings) {
   const bool converged =
       std::all_of(solved.begin(), solved.end(), [](const Solve& s) { return s.converged(); });
   if (converged || !scene.time.retry || !retries_help || halvings == most_halvings) {
-    retries_help &= converged || halvings < most_halvings;
+    if (halvings == (converged ? 0 : most_halvings)) retries_help = converged;
     note(solved);
     return dt;
   }
