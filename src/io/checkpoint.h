@@ -58,7 +58,7 @@ struct Checkpoint {
   double time = 0, forces_asked = 0;  ///< [s]
   TimeSteps time_steps;
   std::vector<SolveStatistics> solves;
-  bool retries_help = true;  ///< false from a step whose eighth failed to one that converges whole
+  bool retries_help = true;  ///< false from a step that halves did not help to one that converges
   std::vector<Array> arrays;
   WatchRecord watch;
   std::string walls_sha256;  ///< over what a restart makes anew from the scene

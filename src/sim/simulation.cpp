@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -38,6 +39,8 @@ std::span<const std::uint64_t> ids_of(const StateArray& id) {
   return {reinterpret_cast<const std::uint64_t*>(id.data), std::size_t(id.count)};
 }
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 static_assert(std::endian::native == std::endian::little, "digests are over little-endian numbers");
 
 }  // namespace
@@ -51,7 +54,7 @@ struct Simulation::Impl {
   std::vector<StateArray> state() const;
   std::string state_digest(StateArray::Role role) const;
   double next_step();
-  double advance(double dt, int halvings);
+  double advance(double dt, int halvings, double whole);
   void note(const std::vector<Solve>& solves);
 
   Scene scene;
@@ -110,7 +113,7 @@ std::string Simulation::Impl::state_digest(StateArray::Role role) const {
 
 void Simulation::step() {
   Impl& i = *impl_;
-  const double dt = i.advance(i.next_step(), 0);
+  const double dt = i.advance(i.next_step(), 0, infinity);
   ++i.steps;
   i.time = i.scene.time.adaptive ? i.time + dt : double(i.steps) * dt;
   i.time_steps.last = dt;
@@ -122,26 +125,40 @@ void Simulation::step() {
 }
 
 /// A step of dt; where a solve does not converge, in halves: an adaptive run takes the first of
-/// them for its step, a run of fixed steps takes both. Returns the time that was gone.
-double Simulation::Impl::advance(double dt, int halvings) {
+/// them for its step, a run of fixed steps takes both. Returns the time that was gone: none, and
+/// the state as it was, where half a step ends little better than `whole`, the error over the
+/// tolerance that the whole step ended at: what is too dense from the start is no matter of steps.
+double Simulation::Impl::advance(double dt, int halvings, double whole) {
   constexpr int most_halvings = 3;
   const auto solved = engine->step(dt);
-  const bool converged =
-      std::all_of(solved.begin(), solved.end(), [](const Solve& s) { return s.converged(); });
-  if (converged || !scene.time.retry || !retries_help || halvings == most_halvings) {
-    if (halvings == (converged ? 0 : most_halvings)) retries_help = converged;
+  double worst = 0;
+  bool converged = true;
+  for (const Solve& s : solved) {
+    worst = std::max(worst, s.error / s.tolerance);
+    converged &= s.converged();
+  }
+  if (converged && halvings == 0) retries_help = true;
+  if (converged || !scene.time.retry || !retries_help) {
     note(solved);
     return dt;
   }
   engine->undo();
-  ++time_steps.retried;
-  const double first = advance(dt / 2, halvings + 1);
-  if (!scene.time.adaptive) return first + advance(dt / 2, halvings + 1);
+  if (halvings > 0 && worst > 0.75 * whole) return 0;
+  double gone = 0;
+  if (halvings < most_halvings) {
+    ++time_steps.retried;
+    gone = advance(dt / 2, halvings + 1, worst);
+  }
+  if (gone == 0) {  // the whole step after all
+    retries_help = false;
+    return advance(dt, halvings, whole);
+  }
+  if (!scene.time.adaptive) return gone + advance(dt / 2, halvings + 1, infinity);
   if (time_steps.last_ruled != "retry") {
     --time_steps.ruled[std::exchange(time_steps.last_ruled, "retry")];
     ++time_steps.ruled["retry"];
   }
-  return first;
+  return gone;
 }
 
 void Simulation::Impl::note(const std::vector<Solve>& solved) {
