@@ -8,6 +8,8 @@
 #include "cli/files.h"
 #include "cli/process.h"
 #include "freshet/real.h"
+#include "freshet/scene.h"
+#include "sim/engines/select.h"
 
 namespace freshet::test {
 namespace {
@@ -46,6 +48,9 @@ class WrongScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(WrongScene, EndsInTheseWords) {
   if (sizeof(Real) != sizeof(float)) GTEST_SKIP() << "the words name 32-bit numbers";
+  if (!has_solver(
+          load_scene(source_dir / ("tests/scenes/wrong/" + GetParam() + ".toml")).solver.name))
+    GTEST_SKIP() << "not compiled in this build";
   const TemporaryFolder folder;
   const std::string expected =
       read_text(source_dir / ("tests/scenes/wrong/" + GetParam() + ".expected"));

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "sim/engines/select.h"
 #include "sim/small_scenes.h"
 
 namespace freshet::test {
@@ -21,6 +22,10 @@ std::string pool(const std::string& solver, const std::string& time,
 
 class PressureSolver : public ::testing::TestWithParam<const char*> {
  protected:
+  void SetUp() override {
+    if (!has_solver(parse_scene(pool(name(), "end = 1\nstep = 0.1\n"), "pool.toml").solver.name))
+      GTEST_SKIP() << "not compiled in this build";
+  }
   std::string name(const std::string& more = "") const {
     return std::string(GetParam()) + "\"\n" + more;
   }

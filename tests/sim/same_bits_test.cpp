@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "io/checkpoint.h"
+#include "sim/engines/select.h"
 #include "sim/small_scenes.h"
 
 namespace freshet::test {
@@ -63,7 +64,13 @@ Outcome run(const std::string& text, const char* backend, const Execution& execu
 void PrintTo(const Words& w, std::ostream* out) {
   *out << w.dimension << "D " << w.solver << " " << w.walls << " " << w.integrator;
 }
-class SameBits : public ::testing::TestWithParam<Words> {};
+class SameBits : public ::testing::TestWithParam<Words> {
+ protected:
+  void SetUp() override {
+    if (!has_solver(parse_scene(scene_of(GetParam()), "words.toml").solver.name))
+      GTEST_SKIP() << "not compiled in this build";
+  }
+};
 
 TEST_P(SameBits, AsTheReference) {
   const std::string text = scene_of(GetParam());

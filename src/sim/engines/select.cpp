@@ -14,31 +14,39 @@ inline namespace FRESHET_ISA {
 template <SolverName, int> std::unique_ptr<Engine> make_reference_engine(const EngineInput&);
 }
 
-/// The engines of a backend, by solver.
+/// The engines of a backend, by solver; null where one was not compiled.
 struct Makers {
-  std::vector<MakeEngine*> flat, deep;  ///< in 2D, in 3D
+  MakeEngine* flat[std::size(solver_words)] = {};  ///< in 2D
+  MakeEngine* deep[std::size(solver_words)] = {};  ///< in 3D
 };
 
-// src/CMakeLists.txt says which instruction sets are compiled: FRESHET_CPU_ENGINES calls
-// FRESHET_CPU_ENGINE(isa) for each, the best first.
+// src/CMakeLists.txt says what is compiled: FRESHET_CPU_ENGINES calls FRESHET_CPU_ENGINE(isa) for
+// each instruction set, the best first, and FRESHET_SOLVERS calls FRESHET_SOLVER(name) for each
+// solver.
+#define FRESHET_SOLVER(name)                                                     \
+  makers.flat[int(SolverName::name)] = FRESHET_MAKE_ENGINE<SolverName::name, 2>; \
+  makers.deep[int(SolverName::name)] = FRESHET_MAKE_ENGINE<SolverName::name, 3>;
+#define FRESHET_MAKE_ENGINE make_cpu_engine
 #define FRESHET_CPU_ENGINE(isa)                                                           \
   namespace isa {                                                                         \
   template <SolverName, int> std::unique_ptr<Engine> make_cpu_engine(const EngineInput&); \
-  template <int... solver> Makers cpu_makers(std::integer_sequence<int, solver...>) {     \
-    return {{make_cpu_engine<SolverName(solver), 2>...},                                  \
-            {make_cpu_engine<SolverName(solver), 3>...}};                                 \
+  static Makers cpu_makers() {                                                            \
+    Makers makers;                                                                        \
+    FRESHET_SOLVERS                                                                       \
+    return makers;                                                                        \
   }                                                                                       \
   }
 FRESHET_CPU_ENGINES
 #undef FRESHET_CPU_ENGINE
+#undef FRESHET_MAKE_ENGINE
 
 namespace {
 
-using Solvers = std::make_integer_sequence<int, std::size(solver_words)>;
-
-template <int... solver> Makers reference_makers(std::integer_sequence<int, solver...>) {
-  return {{make_reference_engine<SolverName(solver), 2>...},
-          {make_reference_engine<SolverName(solver), 3>...}};
+#define FRESHET_MAKE_ENGINE make_reference_engine
+Makers reference_makers() {
+  Makers makers;
+  FRESHET_SOLVERS
+  return makers;
 }
 
 struct InstructionSet {
@@ -63,7 +71,7 @@ bool supported(const std::string& name) {
 /// Those that were compiled and that this machine has, best first.
 std::vector<InstructionSet> instruction_sets() {
   std::vector<InstructionSet> all{
-#define FRESHET_CPU_ENGINE(isa) {#isa, isa::cpu_makers(Solvers{})},
+#define FRESHET_CPU_ENGINE(isa) {#isa, isa::cpu_makers()},
       FRESHET_CPU_ENGINES
 #undef FRESHET_CPU_ENGINE
   };
@@ -100,10 +108,17 @@ std::unique_ptr<Engine> make_engine(const Scene& scene, const Derived& derived,
   const Sample start = sample(scene);
   const EngineInput input{scene, derived, start, thread_count(execution.threads)};
   const Makers makers = scene.solver.backend == BackendName::reference
-                            ? reference_makers(Solvers{})
+                            ? reference_makers()
                             : choose(execution.isa).makers;
-  const auto& of_dimension = scene.dimension() == 2 ? makers.flat : makers.deep;
-  return of_dimension[std::size_t(scene.solver.name)](input);
+  const int solver = int(scene.solver.name);
+  MakeEngine* const make = scene.dimension() == 2 ? makers.flat[solver] : makers.deep[solver];
+  if (!make)
+    throw Error(Error::Kind::scene, "solver.name",
+                fmt::format("this build has no {}; compile with it in FRESHET_SOLVERS",
+                            solver_words[solver]));
+  return make(input);
 }
+
+bool has_solver(SolverName name) { return reference_makers().flat[int(name)] != nullptr; }
 
 }  // namespace freshet

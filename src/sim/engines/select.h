@@ -9,4 +9,7 @@ namespace freshet {
 std::unique_ptr<Engine> make_engine(const Scene& scene, const Derived& derived,
                                     const Execution& execution);
 
+/// Whether this build has a solver: the sanitizers' builds leave some out.
+bool has_solver(SolverName name);
+
 }  // namespace freshet
