@@ -21,12 +21,26 @@ if(FRESHET_DOUBLE)
   target_compile_definitions(freshet_flags INTERFACE FRESHET_DOUBLE)
 endif()
 if(FRESHET_SANITIZE)
-  target_compile_options(freshet_flags INTERFACE -fsanitize=${FRESHET_SANITIZE} -g
+  target_compile_options(freshet_flags INTERFACE -fsanitize=${FRESHET_SANITIZE}
                                                  -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(freshet_flags INTERFACE -fsanitize=${FRESHET_SANITIZE})
 endif()
 
+# What waits for the library or runs once, where soon compiled is better than fast: tests that
+# compute, and what computes nothing: the program and the other tests.
+add_library(freshet_quick INTERFACE)
+target_link_libraries(freshet_quick INTERFACE freshet_flags)
+target_compile_options(freshet_quick INTERFACE -O1)
+add_library(freshet_quickest INTERFACE)
+target_link_libraries(freshet_quickest INTERFACE freshet_flags)
+if(FRESHET_SANITIZE)
+  target_compile_options(freshet_quickest INTERFACE -O0)
+else()
+  target_compile_options(freshet_quickest INTERFACE -O1)
+endif()
+
 find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER  # without these, what includes a precompiled header is not kept
+      ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
 endif()

@@ -9,19 +9,22 @@ namespace {
 
 /// Edits between two words, a swap of neighbours counting as one (optimal string alignment).
 std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  const std::size_t row = b.size() + 1;
+  std::vector<std::size_t> all((a.size() + 1) * row);
+  std::size_t* const d = all.data();
   for (std::size_t i = 0; i <= a.size(); ++i)
     for (std::size_t j = 0; j <= b.size(); ++j) {
+      std::size_t* const at = d + i * row + j;
       if (i == 0 || j == 0) {
-        d[i][j] = i + j;
+        *at = i + j;
         continue;
       }
       const std::size_t change = a[i - 1] != b[j - 1];
-      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + change});
+      *at = std::min(std::min(at[-1], *(at - row)) + 1, *(at - row - 1) + change);
       if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+        *at = std::min(*at, *(at - 2 * row - 2) + 1);
     }
-  return d[a.size()][b.size()];
+  return all.back();
 }
 
 }  // namespace
