@@ -63,9 +63,20 @@ struct Dfsph : Incompressible<D, B, Kernel, DfsphFluid<D>> {
                Real dt, const Iterations& limits, const Excess& excess) const {
     Momentum momentum(c.accelerated);
     start(backend, f, w, k, dt);
-    return solve(
+    const Solve done = solve(
         name, limits, [&] { return measure(backend, f, w, k, dt, excess); },
         [&](double error) { improve(backend, f, w, k, dt, Real(momentum.next(error))); });
+    forget_unneeded(backend, f, k, dt);
+    return done;
+  }
+
+  /// Pressures of which less than half was needed are not started from again: what flies apart
+  /// would be pushed on, step by step, by no more than the tolerance.
+  void forget_unneeded(B& backend, const Fluid& fluid, Field<Real> k, Real dt) const {
+    const auto f = fluid;
+    backend.for_each("start", f, [=] FRESHET_LAMBDA(int i) {
+      if (k[i] + 2 * f.excess[i] * f.factor[i] / (dt * dt) < 0) k[i] = 0;
+    });
   }
 
   /// v pushed by the pressures of the step before; or by none, from zero on.
