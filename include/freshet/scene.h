@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,7 +17,7 @@ namespace freshet {
 using Vector = std::vector<double>;        ///< one number per dimension
 using Counts = std::vector<std::int64_t>;  ///< one whole number per dimension
 
-enum class Shape { box, sphere, cylinder, plane, points, lattice };
+enum class Shape { box, sphere, cylinder, plane, points, mesh, lattice };
 enum class Side { inside, outside };
 enum class Outside { error, clamp };
 enum class StartPressure { zero, hydrostatic };
@@ -49,6 +50,8 @@ enum class DataFormat { vtp, ply, csv, hdf5 };
 enum class DataField { velocity, density, pressure, id };
 enum class Precision { float32, float16 };
 
+struct LoadedMesh;
+
 /// Everything that a simulation needs, in SI units. docs/scene.md has every key with its unit,
 /// default and range; the members carry the same names. A scene can be filled in code or loaded.
 struct Scene {
@@ -75,7 +78,11 @@ struct Scene {
     Vector axis;               // cylinder: along its length; any length
     double length = 0;         // cylinder
     Vector point, normal;      // plane: inside is where the normal does not point
-    std::string file;          // points: *.ply, *.vtp or *.csv, relative to the scene
+    std::string file;          // points: *.ply, *.vtp or *.csv; mesh: *.stl, *.obj or *.ply
+    double scale = 1;          // mesh: metres that one unit of the file is
+    Vector rotation;     // mesh: about x, then y, then z [degrees], after scaling; none if empty
+    Vector translation;  // mesh: at last [m]; none if empty
+    std::shared_ptr<const LoadedMesh> loaded;  // mesh: what loading the scene read
   };
   struct Fluid : Region {
     Vector velocity;  // at rest if empty

@@ -55,6 +55,10 @@ template <int D, class R> FRESHET_HD R dot(Vec<D, R> a, Vec<D, R> b) {
 template <int D, class R> FRESHET_HD R norm2(Vec<D, R> a) { return dot(a, a); }
 template <int D, class R> FRESHET_HD R norm(Vec<D, R> a) { return sqrt(norm2(a)); }
 
+template <class R> FRESHET_HD Vec<3, R> cross(Vec<3, R> a, Vec<3, R> b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
 /// Component k of a, in scalar code that is not hot.
 template <int D, class R> FRESHET_HD R& component(Vec<D, R>& a, int k) {
   if constexpr (D == 3) return k == 0 ? a.x : k == 1 ? a.y : a.z;

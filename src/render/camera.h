@@ -10,9 +10,6 @@ namespace freshet {
 using Point = Vec<3, double>;
 
 inline Point point_of(const Vector& v) { return {v[0], v[1], v[2]}; }
-inline Point cross(Point a, Point b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 /// Where the camera of a scene in 3D is at one time.
 struct Pose {

@@ -102,7 +102,7 @@ Extent extent_of(const Solid<2, double>& solid, const Window& window, const doub
 void draw_walls(Image& image, const Scene& s, const Window& window) {
   const double scale[] = {window.pixels_per_metre(image, 0), window.pixels_per_metre(image, 1)};
   for (const Scene::Wall& w : s.wall) {
-    if (w.shape == Shape::points) continue;
+    if (!is_solid(w.shape)) continue;
     const auto solid = solid_of<2>(w);
     const Extent e = extent_of(solid, window, scale, image);
     for (int y = e.top; y < e.bottom; ++y)

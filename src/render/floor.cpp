@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "render/triangle.h"
+#include "scene/loaded_mesh.h"
+
 namespace freshet {
 namespace {
 
@@ -41,6 +44,8 @@ FloorShadow::FloorShadow(const Scene& scene, const Frame& fluid,
   for (float& d : dark_) d = 1 - std::exp(-fluid_opacity * d);
   for (const auto& solid : solids)
     if (solid.kind != SolidKind::plane && !solid.fluid_inside) add_solid(solid);
+  for (const Scene::Wall& wall : scene.wall)
+    if (wall.loaded && wall.side == Side::outside) add_mesh(wall.loaded->distance.mesh());
   for (int pass = 0; pass < 3; ++pass) blur(softness);
 }
 
@@ -92,6 +97,21 @@ void FloorShadow::add_solid(const Solid<3, double>& solid) {
         p += d * l;
       }
     }
+}
+
+/// The shadow of each triangle.
+void FloorShadow::add_mesh(const TriangleMesh& mesh) {
+  const Point l = light_direction();
+  const auto shadow = [&](Point p) {
+    const double up = std::max(0.0, p.y - low_.y);
+    return Vec<2, double>{(p.x - l.x / l.y * up - low_.x) / side_,
+                          (p.z - l.z / l.y * up - low_.z) / side_};
+  };
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+    const auto [a, b, c] = mesh.corners(int(k));
+    for_each_cell({shadow(a), shadow(b), shadow(c)}, nx_, 0, nz_,
+                  [this](int i, int j, Point) { cell(i, j) = 1; });
+  }
 }
 
 /// Each cell the mean of 2·radius + 1, along x, then along z.

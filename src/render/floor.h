@@ -4,6 +4,7 @@
 
 #include "boundary/solid.h"
 #include "freshet/frame.h"
+#include "mesh/triangle_mesh.h"
 #include "render/camera.h"
 
 namespace freshet {
@@ -28,6 +29,7 @@ class FloorShadow {
  private:
   void add_fluid(const Scene& scene, const Frame& fluid);
   void add_solid(const Solid<3, double>& solid);
+  void add_mesh(const TriangleMesh& mesh);
   void blur(int radius);
   float& cell(int i, int j) { return dark_[std::size_t(j) * std::size_t(nx_) + std::size_t(i)]; }
 

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "render/color.h"
+#include "render/triangle.h"
 #include "scene/solid_of.h"
 
 namespace freshet {
@@ -45,7 +46,8 @@ Stage::Stage(const Scene& scene, const Frame& fluid, const View& view, Color gro
   edge_ = mix(ground, light ? Color{0, 0, 0} : Color{255, 255, 255}, 0.45f);
   add_box_lines(low_, high_);
   for (const Scene::Wall& w : scene.wall) {
-    if (w.shape == Shape::points) continue;
+    if (w.shape == Shape::mesh && w.loaded) meshes_.push_back({w.loaded, w.side == Side::inside});
+    if (!is_solid(w.shape)) continue;
     const auto solid = solid_of<3>(w);
     if (solid.kind != SolidKind::plane && solid.fluid_inside) add_tank_lines(solid);
     else if (solid.kind != SolidKind::plane || solid.distance(view.eye) > 0)
@@ -114,6 +116,9 @@ Stage::Extent Stage::extent_of(const Solid<3, double>& solid) const {
 void Stage::draw(Band& band) const {
   if (has_floor_) draw_floor(band);
   for (const auto& solid : solids_) draw_solid(band, solid);
+  for (const auto& mesh : meshes_)
+    for (std::size_t k = 0; k < mesh.loaded->distance.mesh().triangles.size(); ++k)
+      draw_triangle(band, mesh, int(k));
   for (const Line& line : lines_) draw_line(band, line);
 }
 
@@ -172,6 +177,35 @@ void Stage::draw_solid(Band& band, const Solid<3, double>& solid) const {
     for (int x = std::max(0, e.left); x < std::min(band.width, e.right); ++x)
       if (const auto hit = meet(solid, view_.ray(x + 0.5, y + 0.5)))
         band.paint(x, y, float(hit->z), lit(wall_color, brightness(hit->normal)));
+}
+
+/// Of a tank only what is seen from within: one looks in.
+void Stage::draw_triangle(Band& band, const Mesh& mesh, int triangle) const {
+  const auto corners = mesh.loaded->distance.mesh().corners(triangle);
+  Point normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const double facing = dot(view_.eye - corners[0], normal);
+  if (mesh.tank && facing >= 0) return;
+  normal = (facing < 0 ? -1 : 1) / norm(normal) * normal;
+  std::vector<Point> seen;  // x, y and 1/z of what is before the eye
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point a = corners[k], b = corners[(k + 1) % 3];
+    const double za = dot(a - view_.eye, view_.forward) - view_.nearest,
+                 zb = dot(b - view_.eye, view_.forward) - view_.nearest;
+    const auto add = [&](Point p) {
+      const auto s = view_(p);
+      seen.push_back({s.x, s.y, 1 / s.z});
+    };
+    if (za >= 0) add(a);
+    if ((za < 0) != (zb < 0)) add(a + za / (za - zb) * (b - a));
+  }
+  const Color color = lit(wall_color, brightness(normal));
+  for (std::size_t k = 2; k < seen.size(); ++k) {
+    const Point z{seen[0].z, seen[k - 1].z, seen[k].z};
+    for_each_cell({{seen[0].x, seen[0].y}, {seen[k - 1].x, seen[k - 1].y}, {seen[k].x, seen[k].y}},
+                  band.width, band.top, band.top + band.rows, [&](int x, int y, Point shares) {
+                    band.paint(x, y, float(1 / dot(shares, z)), color);
+                  });
+  }
 }
 
 void Stage::draw_line(Band& band, const Line& line) const {

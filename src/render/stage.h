@@ -6,6 +6,7 @@
 
 #include "render/band.h"
 #include "render/floor.h"
+#include "scene/loaded_mesh.h"
 
 namespace freshet {
 
@@ -33,6 +34,10 @@ class Stage {
   struct Extent {
     int left, top, right, bottom;
   };
+  struct Mesh {
+    std::shared_ptr<const LoadedMesh> loaded;
+    bool tank;
+  };
   void add_box_lines(Point low, Point high);
   void add_circle(Point center, Point u, Point v);
   void add_tank_lines(const Solid<3, double>& tank);
@@ -41,6 +46,7 @@ class Stage {
 
   void draw_floor(Band& band) const;
   void draw_solid(Band& band, const Solid<3, double>& solid) const;
+  void draw_triangle(Band& band, const Mesh& mesh, int triangle) const;
   void draw_line(Band& band, const Line& line) const;
   /// Distance along the line of sight and the surface's direction where a ray meets a solid.
   struct Hit {
@@ -54,6 +60,7 @@ class Stage {
   bool has_floor_;
   Color floor_, edge_;
   std::vector<Solid<3, double>> solids_;
+  std::vector<Mesh> meshes_;
   std::vector<Line> lines_;
   std::optional<FloorShadow> shadow_;
 };

@@ -75,6 +75,8 @@ void check_sizes(const Scene& s, Findings& out) {
     check(at + "axis", r.axis.size());
     check(at + "point", r.point.size());
     check(at + "normal", r.normal.size());
+    check(at + "rotation", r.rotation.size());
+    check(at + "translation", r.translation.size());
   };
   check("domain.min", s.domain.min.size());
   check("domain.gravity", s.domain.gravity.size());

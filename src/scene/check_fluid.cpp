@@ -62,6 +62,8 @@ const char* key_of_end(const Scene::Fluid& f, bool lower) {
       return lower ? "from" : "count";
     case Shape::points:
       return "file";
+    case Shape::mesh:
+      return "translation";
     default:
       return "center";
   }

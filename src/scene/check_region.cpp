@@ -10,8 +10,9 @@
 namespace freshet {
 namespace {
 
-constexpr const char* all_keys[] = {"min",    "max",  "from",  "count",  "center", "radius",
-                                    "length", "axis", "point", "normal", "file"};
+constexpr const char* all_keys[] = {"min",    "max",    "from",     "count",      "center",
+                                    "radius", "length", "axis",     "point",      "normal",
+                                    "file",   "scale",  "rotation", "translation"};
 
 /// The keys without which a shape is none.
 std::vector<std::string> needed_keys(Shape shape) {
@@ -27,8 +28,16 @@ std::vector<std::string> needed_keys(Shape shape) {
     case Shape::plane:
       return {"point", "normal"};
     case Shape::points:
+    case Shape::mesh:
       return {"file"};
   }
+  return {};
+}
+
+/// The keys that a shape reads, but may do without.
+std::vector<std::string> further_keys(Shape shape) {
+  if (shape == Shape::cylinder) return {"axis"};
+  if (shape == Shape::mesh) return {"scale", "rotation", "translation"};
   return {};
 }
 
@@ -44,17 +53,15 @@ bool has(const Scene::Region& r, const std::string& key) {
 
 void check_unused(const RegionAt& at, Findings& out) {
   const Shape shape = at.region.shape;
-  const auto needed = needed_keys(shape);
+  auto read = needed_keys(shape);
+  for (const std::string& key : further_keys(shape)) read.push_back(key);
   const auto unused = [&](const char* key) {
     out.unused(at.path + key, fmt::format("{}.{}", at.name, key),
                fmt::format("{}.shape is \"{}\"; remove it or change the shape", at.name,
                            shape_words[int(shape)]));
   };
-  for (const char* key : all_keys) {
-    const bool read = std::find(needed.begin(), needed.end(), key) != needed.end() ||
-                      (shape == Shape::cylinder && key == std::string_view("axis"));
-    if (!read) unused(key);
-  }
+  for (const char* key : all_keys)
+    if (std::find(read.begin(), read.end(), key) == read.end()) unused(key);
   if (shape == Shape::lattice || shape == Shape::points) unused("side");
 }
 
@@ -96,10 +103,13 @@ bool check_direction(const RegionAt& at, const char* key, const Vector& v, Findi
 
 bool check_region(const Scene& s, const RegionAt& at, Findings& out) {
   const Scene::Region& r = at.region;
-  if (r.shape == Shape::cylinder && s.dimension() == 2) {
-    out.error(at.path + "shape", fmt::format("{}.shape is \"cylinder\", and the scene is in 2D, "
-                                             "where a disc is shape = \"sphere\"; choose that",
-                                             at.name));
+  if (s.dimension() == 2 && (r.shape == Shape::cylinder || r.shape == Shape::mesh)) {
+    const bool mesh = r.shape == Shape::mesh;
+    out.error(at.path + "shape",
+              fmt::format("{}.shape is \"{}\", and the scene is in 2D{}", at.name,
+                          shape_words[int(r.shape)],
+                          mesh ? "; choose another shape, or give domain.max a third number"
+                               : ", where a disc is shape = \"sphere\"; choose that"));
     return false;
   }
   check_unused(at, out);
@@ -107,7 +117,7 @@ bool check_region(const Scene& s, const RegionAt& at, Findings& out) {
   if (r.shape == Shape::box) return check_box(at, out);
   if (r.shape == Shape::cylinder) return check_direction(at, "axis", r.axis, out);
   if (r.shape == Shape::plane) return check_direction(at, "normal", r.normal, out);
-  return true;
+  return r.shape != Shape::mesh || check_mesh(s, at, out);
 }
 
 std::optional<PointCloud> check_points(const Scene& s, const RegionAt& at, Findings& out) {

@@ -64,6 +64,13 @@ bool check_method_of(const Scene& s, std::size_t k, const std::string& at, Findi
     out.error(key, fmt::format("wall.method is \"{}\", and points are held by \"akinci2012\"{} or "
                                "\"monaghan2009\"; choose one",
                                word_of(m), s.solver.incompressible() ? "" : ", \"adami2012\""));
+  else if (w.shape == Shape::mesh && m != WallMethod::akinci2012 && m != WallMethod::monaghan2009)
+    out.error(key, fmt::format("wall.method is \"{}\", and meshes are sampled in one layer; choose "
+                               "\"akinci2012\" or \"monaghan2009\"{}",
+                               word_of(m),
+                               s.solver.name == SolverName::mueller2003
+                                   ? ", and another solver.name than mueller2003"
+                                   : ""));
   else if (m == WallMethod::open)
     out.error(key,
               "wall.method is \"open\": it would not be there; remove the wall or choose "
@@ -120,7 +127,7 @@ bool check_wall(const Scene& s, std::size_t k, Findings& out) {
   if (w.shape == Shape::lattice) {
     out.error(at + "shape",
               "wall.shape is \"lattice\", which only a fluid has; a wall is a box, "
-              "sphere, cylinder, plane or points");
+              "sphere, cylinder, plane, mesh or points");
     return false;
   }
   const WallMethod m = s.wall_method(k);

@@ -55,6 +55,8 @@ void check_output(const Scene& scene, Findings& out);
 bool check_region(const Scene& scene, const RegionAt& at, Findings& out);
 /// The points of a region's file; none where it cannot be read.
 std::optional<PointCloud> check_points(const Scene& scene, const RegionAt& at, Findings& out);
+/// False where the mesh of a region's file is none, or not one to be used so.
+bool check_mesh(const Scene& scene, const RegionAt& at, Findings& out);
 void check_fluids(const Scene& scene, bool walls_are_good, Findings& out);
 /// False where a wall's shape or method is not one that samples can be taken of.
 bool check_walls(const Scene& scene, Findings& out);

@@ -36,20 +36,35 @@ void region_keys(KeyVisitor& v, Scene::Region& r, Words shapes, const KeyDoc& sh
          {.unit = "",
           .text = "the points: `*.ply` (vertices with x, y, z and perhaps vx, vy, vz), `*.vtp` "
                   "(points and perhaps an array `velocity`) or `*.csv` (a first line that names "
-                  "the columns x, y, z, vx, vy, vz); relative to the scene",
+                  "the columns x, y, z, vx, vy, vz); the mesh: `*.stl`, `*.obj` or `*.ply`; "
+                  "relative to the scene",
           .fallback = "none"});
+  v.number("scale", r.scale,
+           {.unit = "m",
+            .text = "what one unit of a mesh's file is: 0.001 for millimetres",
+            .min = 0,
+            .above = true});
+  v.vector("rotation", r.rotation,
+           {.unit = "°",
+            .text = "of a mesh about x, then y, then z, after scaling; [-90, 0, 0] stands up what "
+                    "has z upwards",
+            .fallback = "none"});
+  v.vector("translation", r.translation,
+           {.unit = "m", .text = "of a mesh, after turning", .fallback = "none"});
 }
 
 void fluid_keys(KeyVisitor& v, Scene::Fluid& f) {
-  region_keys(v, f, shape_words,
-              {.unit = "",
-               .text = "`box`: particles fill min to max, the first half a spacing inside; "
-                       "`lattice`: `count` particles, the first at `from`; `sphere` (in 2D a "
-                       "disc), `cylinder` (3D), `plane` (all of the domain below it): the places "
-                       "of such a lattice that lie inside; `points`: those of a file"},
-              {.unit = "",
-               .text = "`inside` of the shape, or the domain `outside` of it; what walls take up "
-                       "is left out either way"});
+  region_keys(
+      v, f, shape_words,
+      {.unit = "",
+       .text = "`box`: particles fill min to max, the first half a spacing inside; "
+               "`lattice`: `count` particles, the first at `from`; `sphere` (in 2D a "
+               "disc), `cylinder` (3D), `plane` (all of the domain below it): the places "
+               "of such a lattice that lie inside; `mesh` (3D): so within the triangles of a "
+               "file; `points`: those of a file"},
+      {.unit = "",
+       .text = "`inside` of the shape, or the domain `outside` of it; what walls take up "
+               "is left out either way"});
   v.vector("from", f.from,
            {.unit = "m", .text = "first particle of a lattice", .fallback = "none"});
   v.counts("count", f.count,
@@ -94,10 +109,10 @@ void wall_keys(KeyVisitor& v, Scene::Wall& w) {
   v.text("name", w.name,
          {.unit = "", .text = "what its forces are reported under", .fallback = "wall[k]"});
   region_keys(
-      v, w, Words(shape_words).first(5),
+      v, w, Words(shape_words).first(6),
       {.unit = "",
-       .text = "`box`, `sphere` (in 2D a disc), `cylinder` (3D), `plane`, or the `points` "
-               "of a file"},
+       .text = "`box`, `sphere` (in 2D a disc), `cylinder` (3D), `plane`, the `mesh` of a file "
+               "(3D; one with holes is a sheet), or its `points`"},
       {.unit = "", .text = "where the fluid is: `outside` of an obstacle, `inside` of a tank"});
   v.choice("method", w.method, method_words,
            {.unit = "",

@@ -26,8 +26,8 @@ using Words = std::span<const char* const>;
 // The words of each choice, in the order of its enum.
 inline constexpr const char* axes_words[] = {"none", "x", "y", "xy", "z", "xz", "yz", "xyz"};
 // A wall has no lattice, which is the last.
-inline constexpr const char* shape_words[] = {"box",   "sphere", "cylinder",
-                                              "plane", "points", "lattice"};
+inline constexpr const char* shape_words[] = {"box",    "sphere", "cylinder", "plane",
+                                              "points", "mesh",   "lattice"};
 inline constexpr const char* side_words[] = {"inside", "outside"};
 inline constexpr const char* outside_words[] = {"error", "clamp"};
 inline constexpr const char* pressure_words[] = {"zero", "hydrostatic"};

@@ -136,8 +136,8 @@ Scene parse_scene(const std::string& text, const std::string& name,
   SceneReader reader(table, name, overridden);
   visit_keys(reader, scene);
   reader.finish();
-  scene = with_defaults(std::move(scene));
   find_files(scene, name);
+  scene = with_defaults(std::move(scene));
   scene.places = reader.places();
   std::vector<Diagnostic> errors = reader.diagnostics();
   const auto more = contradictions(scene, reader.unread());

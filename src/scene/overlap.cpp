@@ -21,10 +21,10 @@ bool lattices_meet(const Lattice& a, const Lattice& b, double spacing) {
   return true;
 }
 
-template <int D, class Other> bool any_near(const Places<D>& places, const Other& other) {
+template <int D, class Test> bool any(const Places<D>& places, const Test& test) {
   bool met = false;
   places.each([&](Vec<D> x, std::size_t) {
-    met = other.comes_near(x);
+    met = test(x);
     return !met;
   });
   return met;
@@ -33,14 +33,14 @@ template <int D, class Other> bool any_near(const Places<D>& places, const Other
 /// Place by place. A lattice is asked for the one place that may be near, without any list.
 template <int D> bool places_meet(const Scene& s, std::size_t a, std::size_t b) {
   const Places<D> one(s, s.fluid[a]), two(s, s.fluid[b]);
-  if (one.is_lattice()) return any_near(two, one);
-  if (two.is_lattice()) return any_near(one, two);
-  PointGrid<D> grid(s.particles.spacing);
+  if (one.is_lattice()) return any(two, [&](Vec<D> x) { return one.comes_near(x); });
+  if (two.is_lattice()) return any(one, [&](Vec<D> x) { return two.comes_near(x); });
+  PointGrid<D> grid(0.499 * s.particles.spacing);
   two.each([&](Vec<D> x, std::size_t) {
-    grid.add(x);
+    grid.add(to_double(x));
     return true;
   });
-  return any_near(one, grid);
+  return any(one, [&](Vec<D> x) { return grid.comes_near(to_double(x)); });
 }
 
 }  // namespace

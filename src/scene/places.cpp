@@ -41,6 +41,10 @@ Box box_around(const Scene& s, const Scene::Fluid& f) {
   }
   if (f.shape == Shape::box) return {f.min, f.max};
   if (f.shape == Shape::plane) return box_below(s, f);
+  if (f.shape == Shape::mesh) {
+    const auto low = f.loaded->distance.low(), high = f.loaded->distance.high();
+    return {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
+  }
   Box box{f.center, f.center};
   double axis2 = 0;
   for (const double a : f.axis) axis2 += a * a;
@@ -93,15 +97,15 @@ Lattice lattice_of(const Scene& s, const Scene::Fluid& f) {
 
 template <int D>
 Places<D>::Places(const Scene& s, const Scene::Fluid& f)
-    : spacing_(s.particles.spacing), lattice_(lattice_of(s, f)), wall_points_(spacing_) {
+    : spacing_(s.particles.spacing), lattice_(lattice_of(s, f)), wall_points_(0.499 * spacing_) {
   const bool whole = f.shape == Shape::lattice || f.shape == Shape::points ||
                      (f.shape == Shape::box && f.side == Side::inside);
-  if (!whole) shape_ = solid_of<D>(f);
+  if (!whole) shape_.emplace(f);
   shifts_ = periodic_shifts<D>(s);
   for (const Scene::Wall& w : s.wall)
-    if (w.shape != Shape::points) walls_.push_back(solid_of<D>(w));
+    if (w.shape != Shape::points) walls_.emplace_back(w);
     else
-      for (const Vec<D>& x : vectors<D>(read_points(w.file, D).x)) wall_points_.add(x);
+      for (const Vec<D>& x : vectors<D>(read_points(w.file, D).x)) wall_points_.add(to_double(x));
   if (f.shape != Shape::points) return;
   const PointCloud cloud = read_points(f.file, D);
   points_ = vectors<D>(cloud.x);
@@ -113,7 +117,7 @@ template <int D> bool Places<D>::in_wall(Vec<D> x) const {
   for (const auto& wall : walls_)
     for (const auto& shift : shifts_)
       if (wall.distance(to_double(x) + shift) < 0.49 * spacing_) return true;
-  return !wall_points_.empty() && wall_points_.comes_near(x);
+  return !wall_points_.empty() && wall_points_.comes_near(to_double(x));
 }
 
 template <int D> bool Places<D>::comes_near(Vec<D> x) const {

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "scene/point_grid.h"
+#include "scene/region_surface.h"
 #include "scene/setup.h"
-#include "scene/solid_of.h"
 
 namespace freshet {
 
@@ -71,8 +71,8 @@ template <int D> class Places {
   double spacing_;
   Lattice lattice_;
   std::vector<Vec<D>> points_, velocities_;
-  std::optional<Solid<D, double>> shape_;  // none: every place is inside
-  std::vector<Solid<D, double>> walls_;
+  std::optional<RegionSurface<D>> shape_;  // none: every place is inside
+  std::vector<RegionSurface<D>> walls_;
   std::vector<Vec<D, double>> shifts_;
   PointGrid<D> wall_points_;
 };

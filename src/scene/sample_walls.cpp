@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/mesh_surface.h"
 #include "scene/places.h"
 #include "scene/point_cloud.h"
 #include "scene/surface.h"
@@ -107,6 +108,15 @@ template <int D> Room<D> domain_and_support(const Scene& s) {
   return room;
 }
 
+/// Half a spacing behind the surface; of one with holes, which has no behind, on it.
+std::vector<Vec<3, double>> mesh_samples(const Scene& s, std::size_t wall) {
+  const Scene::Wall& w = s.wall[wall];
+  const double depth = s.particles.spacing / 2 + setback(s, s.wall_method(wall));
+  const double inwards = w.side == Side::outside ? depth : -depth;
+  return points_behind(w.loaded->distance, s.particles.spacing,
+                       w.loaded->condition.closed() ? inwards : 0);
+}
+
 template <int D> std::vector<Vec<D, double>> surface_points(const Scene& s, std::size_t wall) {
   const Scene::Wall& w = s.wall[wall];
   std::vector<Vec<D, double>> points;
@@ -119,6 +129,8 @@ template <int D> std::vector<Vec<D, double>> surface_points(const Scene& s, std:
     }
     return points;
   }
+  if constexpr (D == 3)
+    if (w.shape == Shape::mesh) return mesh_samples(s, wall);
   const auto solid = solid_of<D>(w);
   const SideLattice lattice(s);
   Room<D> room{vec_of<D>(s.domain.min), vec_of<D>(s.domain.max)};
@@ -170,6 +182,8 @@ double most_samples(const Scene& s, const Scene::Wall& w, double layers) {
   Vector sides;
   if (w.shape == Shape::sphere)
     return layers * (w.center.size() == 2 ? 2 * pi * r : 4 * pi * r * r);
+  if (w.shape == Shape::mesh)  // a layer outside is wider than the surface: no more than by this
+    return 3 * (w.loaded->distance.area() / square(spacing) + 100);
   if (w.shape == Shape::cylinder) return layers * (2 * pi * r * l + 2 * pi * r * r);
   if (w.shape == Shape::box)
     for (std::size_t k = 0; k < w.min.size(); ++k)

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "scene/loaded_mesh.h"
 #include "scene/setup.h"
 
 namespace freshet {
@@ -64,6 +65,10 @@ Scene with_defaults(Scene s) {
     fill(f.axis, 1);
   }
   for (Scene::Wall& w : s.wall) fill(w.axis, 1);
+  if (n == 3) {
+    for (Scene::Fluid& f : s.fluid) remember_mesh(f);
+    for (Scene::Wall& w : s.wall) remember_mesh(w);
+  }
   return s;
 }
 

@@ -29,6 +29,9 @@ template <int D> Vec<D, double> unit_of(const Vector& a) {
   return v / most / norm(v / most);
 }
 
+/// Whether a formula tells the surface of a region of this shape.
+inline bool is_solid(Shape shape) { return shape != Shape::points && shape != Shape::mesh; }
+
 /// The surface of a box, sphere, cylinder or plane of a scene with its defaults filled in.
 template <int D, class R = double> Solid<D, R> solid_of(const Scene::Region& r) {
   Solid<D, R> solid;
@@ -52,6 +55,7 @@ template <int D, class R = double> Solid<D, R> solid_of(const Scene::Region& r) 
     case Shape::box:
     case Shape::lattice:
     case Shape::points:
+    case Shape::mesh:
       for (int k = 0; k < D; ++k) {
         const double low = r.min[std::size_t(k)], high = r.max[std::size_t(k)];
         component(solid.center, k) = R((low + high) / 2);

@@ -17,10 +17,6 @@ template <int D> Vec<D, double> axis_of(int k) {
   return e;
 }
 
-Vec<3, double> cross(Vec<3, double> a, Vec<3, double> b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 /// D - 1 unit vectors across n and each other; along the axes where n is.
 template <int D> std::vector<Vec<D, double>> across(Vec<D, double> n) {
   if constexpr (D == 2) {

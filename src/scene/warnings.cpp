@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/ranges.h>
+
 #include <cmath>
 
 #include "freshet/derived.h"
 #include "scene/findings.h"
+#include "scene/loaded_mesh.h"
 #include "scene/setup.h"
 
 namespace freshet {
@@ -17,6 +20,8 @@ class Warnings {
     room();
     periodic();
     step();
+    for (std::size_t k = 0; k < s_.fluid.size(); ++k) mesh("fluid", k, s_.fluid[k]);
+    for (std::size_t k = 0; k < s_.wall.size(); ++k) mesh("wall", k, s_.wall[k]);
     return std::move(list_);
   }
 
@@ -68,6 +73,28 @@ class Warnings {
                          "whole number the particles' lattice goes on beyond its ends",
                          spacings, axis_names[k]));
     }
+  }
+  /// What was mended in a file, which other programs may take otherwise.
+  void mesh(const char* table, std::size_t k, const Scene::Region& region) {
+    if (region.shape != Shape::mesh || !region.loaded) return;
+    const MeshCondition& c = region.loaded->condition;
+    std::vector<std::string> found;
+    const auto tell = [&](std::int64_t count, const char* what) {
+      if (count > 0) found.push_back(fmt::format("{} {}", what, count));
+    };
+    tell(c.turned, "turned, as they faced the other way:");
+    tell(c.degenerate, "left out, as two corners lie in one place:");
+    tell(c.doubled, "left out, as they were there twice:");
+    tell(c.crowded, "edges that more than two share:");
+    const std::string key = fmt::format("{}[{}].file", table, k);
+    if (!found.empty())
+      warn(key,
+           fmt::format("{} was mended; of its triangles {}", region.file, fmt::join(found, ", ")));
+    if (!c.closed())
+      warn(key,
+           fmt::format("{} has holes ({} open edges, the first near [{:.4g}, {:.4g}, {:.4g}]): "
+                       "it is a sheet without an inside, sampled on its surface",
+                       region.file, c.open, c.open_at.x, c.open_at.y, c.open_at.z));
   }
   void step() {
     if (!s_.time.adaptive && s_.time.step > d_.step_bound())

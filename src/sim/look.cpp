@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "scene/solid_of.h"
+#include "scene/region_surface.h"
 
 namespace freshet {
 namespace {
@@ -25,7 +25,7 @@ template <int D> class Looker {
     for (int side = 0; side < 2 * D; ++side)
       open_[std::size_t(side)] = !s.periodic(side / 2) && s.side_method(side) == WallMethod::open;
     for (const Scene::Wall& wall : s.wall)
-      if (wall.shape != Shape::points) walls_.push_back(solid_of<D>(wall));
+      if (wall.shape != Shape::points) walls_.emplace_back(wall);
   }
 
   Look operator()(const ParticleView& f) const {
@@ -117,7 +117,7 @@ template <int D> class Looker {
   Vec<D, double> gravity_;
   double far_, support_, rest_density_;
   std::array<bool, 2 * D> open_{};
-  std::vector<Solid<D, double>> walls_;
+  std::vector<RegionSurface<D>> walls_;
 };
 
 }  // namespace

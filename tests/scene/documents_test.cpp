@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "freshet/scene.h"
+#include "mesh/triangle_mesh.h"
 #include "scene/suggest.h"
 
 namespace freshet {
@@ -41,7 +42,8 @@ TEST(SceneDocuments, TheSchemaSaysWhatTheParserChecks) {
 
 TEST(SceneDocuments, EverySceneThatComesAlongIsGood) {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(SOURCE_DIR "/scenes")) {
-    if (!entry.is_regular_file()) continue;
+    if (entry.path().extension() != ".toml") continue;
+    if (entry.path().stem() == "knot" && !reads_meshes()) continue;
     const Scene scene = load_scene(entry.path());
     EXPECT_FALSE(scene.title.empty()) << entry.path();
     EXPECT_EQ('#', scene.source[0]) << entry.path() << " begins with a comment on what it shows";

@@ -86,6 +86,25 @@ TEST_P(PressureSolver, KeepsMomentum) {
     EXPECT_NEAR(before[d], after[d], 2e-5 * 2.5 * 1000 * 0.55) << d;  // of m |v|, summed up
 }
 
+// A ball of water falls into a hollow and is thrown about: what flies apart is not pushed on.
+TEST_P(PressureSolver, MakesNoEnergyWhereWaterIsThrownAbout) {
+  Simulation sim = simulation_of(
+      "[domain]\nmax = [1, 1, 1]\n[particles]\nspacing = 0.025\n[fluid]\nshape = \"sphere\"\n"
+      "center = [0.5, 0.5, 0.5]\nradius = 0.15\n[[wall]]\nshape = \"sphere\"\nside = \"inside\"\n"
+      "center = [0.5, 0.5, 0.5]\nradius = 0.45\n[solver]\nname = \"" +
+          name() + "[time]\nend = 0.6\nstep = \"adaptive\"\nstep_max = 0.004\n",
+      "cpu");
+  const auto energy = [&] {
+    const Statistics s = sim.statistics();
+    return s.kinetic_energy + s.potential_energy;
+  };
+  const double start = energy();
+  while (!sim.finished()) {
+    sim.step();
+    ASSERT_LT(energy(), 1.05 * start) << sim.time();
+  }
+}
+
 // A tolerance of the density leaves the pressure of one step much freedom; not that of many. Its
 // zero is not quite at the surface, whose particles have few neighbours: the slope tells; that
 // within two spacings of a wall is the wall's.
