@@ -58,6 +58,7 @@ struct Scene {
   struct Domain {
     Vector min, max;  // min: the origin if empty
     Vector gravity;   // (0, -9.81) or (0, -9.81, 0) if empty
+    std::vector<std::string> body_force;  // [m/s²] beside gravity: functions of x, y, z and t
     Axes periodic = Axes::none;
   };
   struct Particles {

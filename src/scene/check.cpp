@@ -36,6 +36,7 @@ std::vector<Diagnostic> contradictions(const Scene& given,
   if (read("camera")) check_camera(scene, findings);
   if (read("particles")) check_periodic(scene, findings);
   if (read("solver")) check_gravity(scene, findings);
+  if (read("solver")) check_body_force(scene, findings);
   if (read("solver", "particles", "walls", "wall", "time")) check_scheme(scene, findings);
   if (read("solver", "walls")) check_sides(scene, findings);
   const bool walls = read("solver", "walls", "wall", "particles") && check_walls(scene, findings);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "scene/expressions.h"
 #include "scene/findings.h"
 #include "scene/keys.h"
 
@@ -188,6 +189,21 @@ void check_method(const Scene& s, Findings& out) {
   if (mueller)
     out.unused("solver.speed_limit", "solver.speed_limit",
                "only solver.scheme = \"article\" has one; remove it");
+}
+
+void check_body_force(const Scene& s, Findings& out) {
+  const std::vector<std::string>& force = s.domain.body_force;
+  if (force.empty()) return;
+  if (int(force.size()) != s.dimension())
+    out.error("domain.body_force",
+              fmt::format("domain.body_force has {} functions; give {}, as domain.max has numbers",
+                          force.size(), s.dimension()));
+  else if (const auto fault = fault_in(force))
+    out.error("domain.body_force", "domain.body_force " + *fault);
+  if (s.solver.name == SolverName::mueller2003 && s.solver.scheme == Scheme::article)
+    out.error("domain.body_force",
+              "domain.body_force is given, and solver.scheme is \"article\", which has gravity "
+              "only; remove it, or choose solver.scheme = \"paper\"");
 }
 
 void check_gravity(const Scene& s, Findings& out) {

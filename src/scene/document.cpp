@@ -54,6 +54,9 @@ class Describer : public KeyVisitor {
     key(n, "word", v < 0 ? "" : fmt::format("\"{}\"", words_[std::size_t(v)]), d);
     words_.clear();
   }
+  void texts(std::string_view n, std::vector<std::string>&, const KeyDoc& d) override {
+    key(n, "list of strings", "none", d);
+  }
   void word_list(std::string_view n, std::vector<int>& v, Words words, const KeyDoc& d) override {
     words_ = {words.begin(), words.end()};
     std::string list;
@@ -116,6 +119,8 @@ class SchemaWriter final : public Describer {
       json = {{"type", "array"}, {"items", {{"enum", words_}}}, {"uniqueItems", true}};
     else if (type == "number or word")
       json = {{"oneOf", {number("number", doc), {{"enum", words_}}}}};
+    else if (type == "list of strings")
+      json = {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 2}, {"maxItems", 3}};
     else if (type == "string") json = {{"type", "string"}};
     else if (type == "number") json = number("number", doc);
     else if (type == "integer") json = number("integer", doc);

@@ -48,6 +48,7 @@ void check_resolution(const Scene& scene, Findings& out);
 void check_particles(const Scene& scene, Findings& out);
 void check_method(const Scene& scene, Findings& out);
 void check_gravity(const Scene& scene, Findings& out);
+void check_body_force(const Scene& scene, Findings& out);
 void check_scheme(const Scene& scene, Findings& out);
 void check_time(const Scene& scene, Findings& out);
 void check_output(const Scene& scene, Findings& out);

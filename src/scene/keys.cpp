@@ -249,6 +249,13 @@ void visit_keys(KeyVisitor& v, Scene& s) {
               .required = true});
     v.vector("gravity", s.domain.gravity,
              {.unit = "m/s²", .text = "acceleration of gravity", .fallback = "9.81 along −y"});
+    v.texts(
+        "body_force", s.domain.body_force,
+        {.unit = "m/s²",
+         .text = "acceleration beside gravity, a function for each axis of x, y, z [m] and t "
+                 "[s]: `[\"9.81*sin(t)\", \"0\"]`; pi, + - * / ^, sin, cos, tan, exp, sqrt, abs, "
+                 "min, max and more, `(t < 1 ? 2 : 0)`",
+         .fallback = "none"});
     v.choice("periodic", s.domain.periodic, axes_words,
              {.unit = "", .text = "axes along which the domain repeats itself"});
   });

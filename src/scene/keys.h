@@ -68,6 +68,9 @@ class KeyVisitor {
                         const std::function<void(std::size_t)>& resize,
                         const std::function<void(std::size_t)>& keys) = 0;
   virtual void text(std::string_view name, std::string& value, const KeyDoc& doc) = 0;
+  /// A text for each axis; `value` stays empty while there are none.
+  virtual void texts(std::string_view name, std::vector<std::string>& value,
+                     const KeyDoc& doc) = 0;
   virtual void number(std::string_view name, double& value, const KeyDoc& doc) = 0;
   virtual void number(std::string_view name, std::optional<double>& value, const KeyDoc& doc) = 0;
   virtual void integer(std::string_view name, std::int64_t& value, const KeyDoc& doc) = 0;

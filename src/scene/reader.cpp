@@ -208,6 +208,20 @@ void SceneReader::text(std::string_view name, std::string& value, const KeyDoc& 
            fmt::format("{}{} is {}; it must be a string", scope_.name, name, found(*node)));
 }
 
+void SceneReader::texts(std::string_view name, std::vector<std::string>& value, const KeyDoc& doc) {
+  const toml::node* node = take(name, doc);
+  if (!node) return;
+  const toml::array* list = node->as_array();
+  const bool all = list && std::all_of(list->begin(), list->end(),
+                                       [](const toml::node& e) { return e.is_string(); });
+  if (!all)
+    return reject(node->source(), fmt::format("{}{}", scope_.path, name),
+                  fmt::format("{}{} is {}; it must be a list of strings, one an axis: "
+                              "[\"0\", \"-9.81\"]",
+                              scope_.name, name, list ? "a list of other things" : found(*node)));
+  for (const toml::node& e : *list) value.push_back(e.as_string()->get());
+}
+
 std::optional<double> SceneReader::in_range(const std::string& name, const toml::node& node,
                                             const KeyDoc& doc, bool whole) {
   const double value = number_of(node);

@@ -31,6 +31,7 @@ class SceneReader final : public KeyVisitor {
                 const std::function<void(std::size_t)>& resize,
                 const std::function<void(std::size_t)>& keys) override;
   void text(std::string_view name, std::string& value, const KeyDoc& doc) override;
+  void texts(std::string_view name, std::vector<std::string>& value, const KeyDoc& doc) override;
   void number(std::string_view name, double& value, const KeyDoc& doc) override;
   void number(std::string_view name, std::optional<double>& value, const KeyDoc& doc) override;
   void integer(std::string_view name, std::int64_t& value, const KeyDoc& doc) override;

@@ -18,12 +18,12 @@ namespace freshet {
 class Engine {
  public:
   virtual ~Engine() = default;
-  /// The solves of the step; none of a solver that does not iterate.
-  virtual std::vector<Solve> step(double dt) = 0;
+  /// A step of dt from `time` on [s]. Returns its solves; none of a solver that does not iterate.
+  virtual std::vector<Solve> step(double time, double dt) = 0;
   /// Takes the last step back. Only for solvers that iterate: the others remember nothing.
   virtual void undo() = 0;
-  /// The bounds of the next step, by the state and the accelerations of the last.
-  virtual TimeStepBounds bounds() = 0;
+  /// The bounds of a step from `time` on, by the state and the accelerations of the last.
+  virtual TimeStepBounds bounds(double time) = 0;
   virtual ParticleView fluid() const = 0;
   /// The force of the fluid on each wall in the order of Scene::wall_names() [N, N/m in 2D]:
   /// reflecting walls the mean over `interval` [s], the time since the last call; others now.

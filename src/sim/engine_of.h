@@ -6,6 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "sim/body_force.h"
 #include "sim/enclosure.h"
 #include "sim/engine.h"
 #include "sim/wall_forces.h"
@@ -17,7 +18,7 @@ inline namespace FRESHET_ISA {
 template <int D, class Solver, class Backend> class EngineOf final : public Engine {
  public:
   EngineOf(Backend backend, Solver solver, const EngineInput& input)
-      : backend_(std::move(backend)), solver_(std::move(solver)) {
+      : backend_(std::move(backend)), solver_(std::move(solver)), body_force_(input.scene) {
     reflectors_ = reflectors<D>(input.scene, reflector_walls_);
     backend_.add_set(fluid_, int(input.sample.x.size() / D),
                      copy_rules<D>(input.scene, copy_walls_));
@@ -31,15 +32,20 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
     solver_.prepare(backend_, walls_);
   }
 
-  std::vector<Solve> step(double dt) override {
+  std::vector<Solve> step(double time, double dt) override {
     const Tick tick{Real(dt), steps_++};
+    // Second-order integrators take half of a body force before and half after [Strang 1968].
+    const double before = body_force_.halved() ? dt / 2 : dt;
     if constexpr (iterates) {
       backend_.save("save", fluid_);
       bounced_before_ = bounced_;
+      body_force_.push(fluid_, time, before);
       const auto solves = solver_.step(backend_, fluid_, walls_, tick);
       return {solves.begin(), solves.end()};
     } else {
+      body_force_.push(fluid_, time, before);
       solver_.step(backend_, fluid_, walls_, tick);
+      if (body_force_.halved()) body_force_.push(fluid_, time + dt, dt / 2);
       return {};
     }
   }
@@ -50,7 +56,12 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
       --steps_;
     }
   }
-  TimeStepBounds bounds() override { return solver_.bounds(backend_, fluid_); }
+  TimeStepBounds bounds(double time) override {
+    TimeStepBounds b = solver_.bounds(backend_, fluid_);
+    const double most = body_force_.greatest(fluid_, time);
+    if (most > 0) b.force = std::min(b.force, 0.25 * std::sqrt(double(solver_.c.h) / most));
+    return b;
+  }
 
   ParticleView fluid() const override {
     const auto n = std::size_t(fluid_.n);
@@ -173,6 +184,7 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
 
   Backend backend_;
   Solver solver_;
+  BodyForce<D> body_force_;
   typename Solver::Fluid fluid_;
   Walls<D> walls_;
   std::vector<Reflector<D>> reflectors_;

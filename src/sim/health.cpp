@@ -85,8 +85,10 @@ void Health::look(const Moment& now, const ParticleView& fluid,
   }
   judge_walls(fluid.size());
   judge_density();
-  judge_speed();
-  judge_energy();
+  if (scene_.domain.body_force.empty()) {  // which makes any speed and energy
+    judge_speed();
+    judge_energy();
+  }
   judge_solves(solves, bounds);
   for (std::size_t k = 0; k < record_.tracks.size(); ++k) {
     const WatchRecord::Track& t = record_.tracks[k];

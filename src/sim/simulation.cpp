@@ -54,7 +54,7 @@ struct Simulation::Impl {
   std::vector<StateArray> state() const;
   std::string state_digest(StateArray::Role role) const;
   double next_step();
-  double advance(double dt, int halvings, double whole);
+  double advance(double from, double dt, int halvings, double whole);
   void note(const std::vector<Solve>& solves);
 
   Scene scene;
@@ -80,7 +80,7 @@ double Simulation::time() const { return impl_->time; }
 const TimeSteps& Simulation::time_steps() const { return impl_->time_steps; }
 const std::vector<SolveStatistics>& Simulation::solves() const { return impl_->solves; }
 const std::vector<Warning>& Simulation::warnings() const { return impl_->health->warnings(); }
-TimeStepBounds Simulation::bounds() { return impl_->engine->bounds(); }
+TimeStepBounds Simulation::bounds() { return impl_->engine->bounds(impl_->time); }
 bool Simulation::finished() const {
   const Scene& s = impl_->scene;
   return s.time.adaptive ? impl_->time >= s.time.end * (1 - 1e-12) : impl_->steps >= s.steps();
@@ -113,7 +113,7 @@ std::string Simulation::Impl::state_digest(StateArray::Role role) const {
 
 void Simulation::step() {
   Impl& i = *impl_;
-  const double dt = i.advance(i.next_step(), 0, infinity);
+  const double dt = i.advance(i.time, i.next_step(), 0, infinity);
   ++i.steps;
   i.time = i.scene.time.adaptive ? i.time + dt : double(i.steps) * dt;
   i.time_steps.last = dt;
@@ -121,16 +121,17 @@ void Simulation::step() {
   i.time_steps.max = std::max(i.time_steps.max, dt);
   if (Health::due(i.steps) || finished())
     i.health->look({i.steps, i.time, dt}, i.engine->fluid(), i.solves,
-                   [&i] { return i.engine->bounds(); });
+                   [&i] { return i.engine->bounds(i.time); });
 }
 
-/// A step of dt; where a solve does not converge, in halves: an adaptive run takes the first of
-/// them for its step, a run of fixed steps takes both. Returns the time that was gone: none, and
-/// the state as it was, where half a step ends little better than `whole`, the error over the
-/// tolerance that the whole step ended at: what is too dense from the start is no matter of steps.
-double Simulation::Impl::advance(double dt, int halvings, double whole) {
+/// A step of dt from a time on; where a solve does not converge, in halves: an adaptive run takes
+/// the first of them for its step, a run of fixed steps takes both. Returns the time that was gone:
+/// none, and the state as it was, where half a step ends little better than `whole`, the error over
+/// the tolerance that the whole step ended at: what is too dense from the start is no matter of
+/// steps.
+double Simulation::Impl::advance(double from, double dt, int halvings, double whole) {
   constexpr int most_halvings = 3;
-  const auto solved = engine->step(dt);
+  const auto solved = engine->step(from, dt);
   double worst = 0;
   bool converged = true;
   for (const Solve& s : solved) {
@@ -147,13 +148,13 @@ double Simulation::Impl::advance(double dt, int halvings, double whole) {
   double gone = 0;
   if (halvings < most_halvings) {
     ++time_steps.retried;
-    gone = advance(dt / 2, halvings + 1, worst);
+    gone = advance(from, dt / 2, halvings + 1, worst);
   }
   if (gone == 0) {  // the whole step after all
     retries_help = false;
-    return advance(dt, halvings, whole);
+    return advance(from, dt, halvings, whole);
   }
-  if (!scene.time.adaptive) return gone + advance(dt / 2, halvings + 1, infinity);
+  if (!scene.time.adaptive) return gone + advance(from + gone, dt / 2, halvings + 1, infinity);
   if (time_steps.last_ruled != "retry") {
     --time_steps.ruled[std::exchange(time_steps.last_ruled, "retry")];
     ++time_steps.ruled["retry"];
@@ -181,7 +182,7 @@ double Simulation::Impl::next_step() {
     time_steps.last_ruled = "fixed";
     return scene.time.step;
   }
-  const TimeStepBounds b = engine->bounds();
+  const TimeStepBounds b = engine->bounds(time);
   const double most = *scene.time.step_max;
   const bool bounded = b.least() < most;
   time_steps.last_ruled = bounded ? b.ruling() : "step_max";

@@ -9,6 +9,7 @@
 #include "cli/process.h"
 #include "freshet/real.h"
 #include "mesh/triangle_mesh.h"
+#include "scene/expressions.h"
 
 namespace freshet::test {
 namespace {
@@ -35,6 +36,8 @@ TEST_P(BadScene, IsRefusedInTheseWords) {
   if (GetParam().ends_with("_float") && sizeof(Real) != sizeof(float))
     GTEST_SKIP() << "the words name 32-bit numbers";
   if (GetParam().starts_with("mesh_") && !reads_meshes()) GTEST_SKIP() << "built without Assimp";
+  if (GetParam().starts_with("function_") && !reads_expressions())
+    GTEST_SKIP() << "built without muParser";
   const std::string scene = "tests/scenes/bad/" + GetParam();
   const std::string expected = read_text(source_dir / (scene + ".expected"));
   const auto r = check(scene + ".toml");

@@ -6,11 +6,15 @@
 #include <cmath>
 
 #include "io/checkpoint.h"
+#include "scene/expressions.h"
 #include "sim/engines/select.h"
 #include "sim/small_scenes.h"
 
 namespace freshet::test {
 namespace {
+
+constexpr const char* pushed =
+    "body_force = [\"5*sin(40*t)\", \"-20*x\"]\n[walls]\nmethod = \"akinci2012\"";
 
 struct Words {
   int dimension;
@@ -69,6 +73,8 @@ class SameBits : public ::testing::TestWithParam<Words> {
   void SetUp() override {
     if (!has_solver(parse_scene(scene_of(GetParam()), "words.toml").solver.name))
       GTEST_SKIP() << "not compiled in this build";
+    if (GetParam().walls == pushed && !reads_expressions())
+      GTEST_SKIP() << "built without muParser";
   }
 };
 
@@ -188,6 +194,11 @@ INSTANTIATE_TEST_SUITE_P(SolvedIn3D, SameBits,
                                            Words{3, dfsph, akinci_slips, "", adaptive},
                                            Words{3, dfsph_c6, periodic_xyz, ""},
                                            Words{3, pbf, akinci, ""}));
+
+INSTANTIATE_TEST_SUITE_P(Pushed, SameBits,
+                         ::testing::Values(Words{2, wcsph_c2, pushed, "leapfrog"},
+                                           Words{2, iisph, pushed, "", adaptive},
+                                           Words{2, dfsph_hasty, pushed, "", "0.004"}));
 
 // A drop a thousand domains away costs neither memory nor bits.
 TEST(FarFlung, HasTheReferencesBits) {
