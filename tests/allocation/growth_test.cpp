@@ -5,6 +5,7 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "cli/files.h"
 #include "freshet/run.h"
@@ -18,12 +19,12 @@ TEST(Growth, IsNoneOver10000StepsOfARunThatWritesAllItCan) {
   options.output = folder / "run";
   options.scene_name = "growth";
   options.execution.threads = 1;
-  // the most that a stretch of steps held: jobs that wait come and go
-  std::size_t early = 0, late = 0;
+  // the least that a stretch of steps held: jobs that wait come and go
+  std::size_t early = SIZE_MAX, late = SIZE_MAX;
   options.after_step = [&](const Simulation& sim, double) {
     const std::size_t held = mallinfo2().uordblks + mallinfo2().hblkhd;
-    if (sim.steps_done() > 1000 && sim.steps_done() <= 3000) early = std::max(early, held);
-    if (sim.steps_done() > 8000) late = std::max(late, held);
+    if (sim.steps_done() > 1000 && sim.steps_done() <= 3000) early = std::min(early, held);
+    if (sim.steps_done() > 8000) late = std::min(late, held);
     return true;
   };
   const Scene scene = parse_scene(
