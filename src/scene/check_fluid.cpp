@@ -135,7 +135,6 @@ template <int D> bool is_empty(const Scene& s, const Scene::Fluid& f) {
 void check_room(const Scene& s, const std::vector<std::size_t>& good, Findings& out) {
   for (const std::size_t k : good) {
     const Scene::Fluid& f = s.fluid[k];
-    if (is_block(f) && s.wall.empty()) continue;
     const bool empty = s.dimension() == 2 ? is_empty<2>(s, f) : is_empty<3>(s, f);
     if (empty)
       out.error(fmt::format("fluid[{}].", k),

@@ -97,11 +97,24 @@ Lattice lattice_of(const Scene& s, const Scene::Fluid& f) {
 
 template <int D>
 Places<D>::Places(const Scene& s, const Scene::Fluid& f)
-    : spacing_(s.particles.spacing), lattice_(lattice_of(s, f)), wall_points_(0.499 * spacing_) {
+    : spacing_(s.particles.spacing),
+      lattice_(lattice_of(s, f)),
+      low_(D, -INFINITY),
+      high_(D, INFINITY),
+      wall_points_(0.499 * spacing_) {
   const bool whole = f.shape == Shape::lattice || f.shape == Shape::points ||
                      (f.shape == Shape::box && f.side == Side::inside);
   if (!whole) shape_.emplace(f);
   shifts_ = periodic_shifts<D>(s);
+  const bool as_given = f.shape == Shape::lattice || f.shape == Shape::points;
+  for (int side = 0; side < 2 * D; ++side) {  // what holds a lattice that need not fit
+    const auto k = std::size_t(side / 2);
+    if (as_given || f.outside == Outside::clamp || s.periodic(side / 2) ||
+        s.side_method(side) == WallMethod::open)
+      continue;
+    if (side % 2) high_[k] = s.domain.max[k];
+    else low_[k] = s.domain.min[k];
+  }
   for (const Scene::Wall& w : s.wall)
     if (w.shape != Shape::points) walls_.emplace_back(w);
     else
@@ -114,6 +127,10 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
 
 /// Nearer than half a spacing, less what the rounding of a position may be (see check_resolution).
 template <int D> bool Places<D>::in_wall(Vec<D> x) const {
+  for (std::size_t k = 0; k < D; ++k)
+    if (const double at = component(x, int(k));
+        at - low_[k] < 0.49 * spacing_ || high_[k] - at < 0.49 * spacing_)
+      return true;
   for (const auto& wall : walls_)
     for (const auto& shift : shifts_)
       if (wall.distance(to_double(x) + shift) < 0.49 * spacing_) return true;

@@ -74,6 +74,7 @@ template <int D> class Places {
   std::optional<RegionSurface<D>> shape_;  // none: every place is inside
   std::vector<RegionSurface<D>> walls_;
   std::vector<Vec<D, double>> shifts_;
+  Vector low_, high_;  // of the domain, where its sides hold the fluid
   PointGrid<D> wall_points_;
 };
 

@@ -89,6 +89,17 @@ TEST(SampleFluid, LeavesOutWhatAWallTakes) {
   EXPECT_EQ(s.left_out, d.left_out);
 }
 
+// A lattice that does not fit starts off the sides, not pressed against them.
+TEST(SampleFluid, LeavesOutWhatIsNearASideThatHoldsIt) {
+  const std::string held = "solver.name = \"wcsph\"\nwalls.method = \"akinci2012\"\n";
+  const std::string box = "[fluid]\nmin = [0, 0]\nmax = [1, 0.6]\n";
+  const Sample s = sample(scene_with("[1, 1]", 0.15, held + box));
+  EXPECT_EQ(6u * 4, s.density.size());  // of seven columns
+  EXPECT_EQ(4, s.left_out);
+  EXPECT_EQ(7u * 4,
+            particles_of(scene_with("[1, 1]", 0.15, held + "walls.x_max = \"open\"\n" + box)));
+}
+
 TEST(SampleFluid, LeavesOutWhatIsNearTheSamplesOfAWall) {
   const TemporaryFolder folder;
   write_text(folder / "two.csv", "x,y\n0.25,0.26\n0.3,0.3\n");

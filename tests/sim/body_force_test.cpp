@@ -91,7 +91,7 @@ TEST(BodyForceOrder, BoundsAdaptiveSteps) {
   Simulation sim = simulation_of(
       "[domain]\nmax = [4, 4]\ngravity = [0, 0]\nbody_force = [\"100*t\", \"0\"]\n"
       "[particles]\nspacing = 0.1\n[fluid]\nmin = [1, 1]\nmax = [2, 2]\n[walls]\nmethod = "
-      "\"open\"\n[solver]\nname = \"iisph\"\n[time]\nend = 1\nstep = \"adaptive\"\nstep_max = "
+      "\"open\"\n[solver]\nname = \"dfsph\"\n[time]\nend = 1\nstep = \"adaptive\"\nstep_max = "
       "0.1\n");
   while (sim.time() < 0.5) sim.step();
   EXPECT_NEAR(0.25 * std::sqrt(0.1 / (100 * sim.time())), sim.bounds().force, 1e-6);
