@@ -30,7 +30,7 @@ INSTANTIATE_TEST_SUITE_P(Solvers, MeshWalls, ::testing::Values("wcsph", "dfsph")
 
 TEST_P(MeshWalls, HoldWhatFallsOnThem) {
   Simulation sim =
-      simulation_of(scene("end = 0.8\nstep = \"adaptive\"\nstep_max = 0.002\n"), "cpu");
+      simulation_of(scene("end = 0.5\nstep = \"adaptive\"\nstep_max = 0.002\n"), "cpu");
   double farthest = 0;
   Vector most(3);
   while (!sim.finished()) {
