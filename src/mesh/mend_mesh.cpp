@@ -27,10 +27,13 @@ std::vector<int> first_together(const std::vector<Point>& x, double apart) {
   std::iota(order.begin(), order.end(), 0);
   std::iota(first.begin(), first.end(), 0);
   const auto at = [&](int k) { return x[std::size_t(k)]; };
+  // In the order of a direction that no face of a box is across: its points would all be equal.
+  constexpr Point askew{0.7548, 0.5698, 0.3247};  // no longer than 1
+  const auto along = [&](int k) { return dot(at(k), askew); };
   std::sort(order.begin(), order.end(),
-            [&](int a, int b) { return at(a).x != at(b).x ? at(a).x < at(b).x : a < b; });
+            [&](int a, int b) { return along(a) != along(b) ? along(a) < along(b) : a < b; });
   for (std::size_t i = 0; i < order.size(); ++i)
-    for (std::size_t j = i; j-- > 0 && at(order[i]).x - at(order[j]).x <= apart;) {
+    for (std::size_t j = i; j-- > 0 && along(order[i]) - along(order[j]) <= apart;) {
       if (norm(at(order[i]) - at(order[j])) > apart) continue;
       int &a = first[std::size_t(order[i])], &b = first[std::size_t(order[j])];
       a = b = std::min(first[std::size_t(a)], first[std::size_t(b)]);
