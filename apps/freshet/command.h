@@ -44,11 +44,15 @@ void add_info(CLI::App& app, int& code);
 void add_scenes(CLI::App& app, int& code);
 void add_bench(CLI::App& app, int& code);
 void add_plot(CLI::App& app, int& code);
+void add_validate(CLI::App& app, int& code);
 void add_schema(CLI::App& app, int& code);
 void add_completion(CLI::App& app, int& code);
 
 /// The file of a scene: a file of that name, else the scene that comes along under it.
 std::filesystem::path find_scene(const std::string& name);
+/// Where what comes along may lie, `name` below a folder: installed beside the program, or in the
+/// sources above a build tree.
+std::vector<std::filesystem::path> folders_that_come_along(const std::string& name);
 /// The scenes that come along, by name.
 std::vector<std::pair<std::string, std::filesystem::path>> scenes_that_come_along();
 

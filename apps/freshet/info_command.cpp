@@ -58,8 +58,7 @@ std::string solver_row(const Scene& s) {
       return "iisph (Ihmsen et al. 2014)" + kernel;
     case SolverName::dfsph:
       return fmt::format("dfsph (Bender and Koschier 2017), {}{}",
-                         s.solver.iteration == Iteration::jacobi ? "Jacobi" : "Nesterov",
-                         kernel);
+                         s.solver.iteration == Iteration::jacobi ? "Jacobi" : "Nesterov", kernel);
     case SolverName::pbf:
       return "pbf (Macklin and Müller 2013)" + kernel;
   }
@@ -89,8 +88,19 @@ std::string particles_row(const Derived& d) {
   std::string text = fmt::format("{:.0f} fluid", d.particles);
   if (d.outside > 0) text += fmt::format(", {} of them outside the domain", d.outside);
   if (d.wall_particles > 0) text += fmt::format("; {} of walls", d.wall_particles);
-  if (d.left_out > 0) text += fmt::format("; {} places left out, which walls take", d.left_out);
+  if (d.most_particles > d.particles)
+    text += fmt::format("; {:.0f} at the most, with what comes in", d.most_particles);
+  if (d.left_out > 0)
+    text += fmt::format("; {} places left out, which walls{} take", d.left_out,
+                        d.inlets.empty() ? "" : " and inlets");
   return text;
+}
+
+std::string inlet_row(const Scene& s, const DerivedInlet& in) {
+  return fmt::format(
+      "{}: {:.4g} {} at {:.4g} m/s, {:.0f} particles a layer, {:.4g} layers a second", in.name,
+      in.rate, s.dimension() == 3 ? "m³/s" : "m²/s", in.speed, in.particles,
+      in.speed / s.particles.spacing);
 }
 
 std::string time_step_row(const Scene& s, const Derived& d) {
@@ -99,8 +109,11 @@ std::string time_step_row(const Scene& s, const Derived& d) {
                                : fmt::format("{:g} s", s.time.step);
   const std::string fastest = s.solver.incompressible() ? "flow at the start " + bound(d.flow_step)
                                                         : "sound " + bound(d.acoustic_step);
-  return fmt::format("{}; bounds: {}, gravity {}, viscosity {}", step, fastest, bound(d.force_step),
-                     bound(d.viscous_step));
+  const std::string tension = std::isfinite(d.capillary_step)
+                                  ? ", surface tension " + bound(d.capillary_step)
+                                  : "";
+  return fmt::format("{}; bounds: {}, gravity {}, viscosity {}{}", step, fastest,
+                     bound(d.force_step), bound(d.viscous_step), tension);
 }
 
 /// Pictures are at most as large as their pixels.
@@ -121,6 +134,7 @@ void info(const SceneArguments& a) {
   fmt::print("{}\n", s.title.empty() ? a.name : s.title);
   row("dimension", fmt::format("{}D", s.dimension()));
   row("particles", particles_row(d));
+  for (const DerivedInlet& in : d.inlets) row("inlet", inlet_row(s, in));
   row("method", solver_row(s));
   row("spacing", fmt::format("{:g} m", d.spacing));
   row("support radius",

@@ -46,6 +46,7 @@ int run_program(int argc, char** argv) {
   add_scenes(app, code);
   add_bench(app, code);
   add_plot(app, code);
+  add_validate(app, code);
   add_schema(app, code);
   add_completion(app, code);
   if (argc > 1) refuse_unknown_command(app, argv[1]);

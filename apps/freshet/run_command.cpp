@@ -46,6 +46,11 @@ std::string table(const Report& r) {
       fmt::format("{} ({:.1f} %)", r.picture.bright, 100 * r.picture.bright_fraction()),
       check_words(r, "bright fraction", 100, " %"));
   row("bottom third", fmt::format("{} pixels", r.picture.bottom_third));
+  for (const Flow& flow : r.flows)
+    row((flow.kind + " " + flow.name).c_str(),
+        fmt::format("{:.6g} {}, {} particles{}", flow.volume, s.momentum.size() == 3 ? "m³" : "m²",
+                    flow.particles,
+                    flow.waiting > 0 ? fmt::format(", {} wait", flow.waiting) : ""));
   for (const SolveStatistics& solve : r.solves)
     row((solve.name + " solve").c_str(), solve_words(solve));
   if (!r.solves.empty()) row("steps halved", std::to_string(r.time_steps.retried));

@@ -6,21 +6,16 @@
 #include "command.h"
 
 namespace freshet::cli {
-namespace {
 
 namespace fs = std::filesystem;
 
-/// Installed beside the program (share/freshet/scenes), or in the sources above a build tree.
-std::vector<fs::path> scene_folders() {
+std::vector<fs::path> folders_that_come_along(const std::string& name) {
   std::error_code ec;
   fs::path folder = fs::read_symlink("/proc/self/exe", ec).parent_path();
-  std::vector<fs::path> all{folder / "../share/freshet/scenes"};
-  for (; folder.has_relative_path(); folder = folder.parent_path())
-    all.push_back(folder / "scenes");
+  std::vector<fs::path> all{folder / "../share/freshet" / name};
+  for (; folder.has_relative_path(); folder = folder.parent_path()) all.push_back(folder / name);
   return all;
 }
-
-}  // namespace
 
 void ChangeArguments::add_to(CLI::App& command) {
   command.add_option("--set", set, "KEY=VALUE: change a key of the scene (TOML, else a string)")
@@ -61,7 +56,7 @@ Scene SceneArguments::load() const { return load_scene(find_scene(name), overrid
 
 std::vector<std::pair<std::string, fs::path>> scenes_that_come_along() {
   std::vector<std::pair<std::string, fs::path>> all;
-  for (const fs::path& folder : scene_folders()) {
+  for (const fs::path& folder : folders_that_come_along("scenes")) {
     std::error_code ec;
     for (const auto& entry : fs::recursive_directory_iterator(folder, ec))
       if (entry.path().extension() == ".toml") {

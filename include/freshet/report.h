@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "freshet/frame.h"
+
 namespace freshet {
 
 /// What one verb of a solver has cost so far.
@@ -33,7 +35,8 @@ struct Statistics {
 /// The time steps of a run [s], and how often each bound ruled an adaptive one.
 struct TimeSteps {
   double last = 0, min = 0, max = 0;
-  /// "sound", "force", "viscosity", "flow", "step_max", and "retry" for a step that was halved
+  /// "sound", "force", "viscosity", "flow", "surface tension", "step_max", and "retry" for a step
+  /// that was halved
   std::map<std::string, std::int64_t> ruled;
   std::string last_ruled;    ///< what ruled the last step; "fixed" if it was given
   std::int64_t retried = 0;  ///< how often a step was halved, since a solve did not converge
@@ -41,9 +44,10 @@ struct TimeSteps {
 
 /// What a solver that iterates has done over the steps so far. Errors are means over the fluid, as
 /// fractions: of max(0, rho*/rho0 - 1), or for "divergence" of max(0, dt Drho/Dt)/rho0; or the mean
-/// of what pressures hold apart beyond that, where it is more.
+/// of what pressures hold apart beyond that, where it is more. For "viscosity" what is left of the
+/// equations, as a share of what viscosity changes.
 struct SolveStatistics {
-  std::string name;             ///< "density" or "divergence"
+  std::string name;             ///< "density", "divergence" or "viscosity"
   double tolerance = 0;         ///< of the error
   std::int64_t solves = 0;      ///< those of steps that were taken back and halved are not counted
   std::int64_t iterations = 0;  ///< in all
@@ -52,6 +56,15 @@ struct SolveStatistics {
   std::int64_t last_iterations = 0;
   double last_error = 0, worst_error = 0;
   double mean_iterations() const { return solves ? double(iterations) / double(solves) : 0; }
+};
+
+/// What went through an inlet, an outlet or a counter so far.
+struct Flow {
+  std::string kind, name;      ///< kind: "inlet", "outlet" or "counter"
+  std::int64_t particles = 0;  ///< of a counter those along its direction, less those against it
+  double volume = 0;           ///< of these at rest density [m^3; m^2 in 2D]
+  double rate = 0;             ///< [m^3/s; m^2/s in 2D], the mean since it was last asked for
+  std::int64_t waiting = 0;    ///< of an inlet that recycles: particles that left and are to come
 };
 
 /// What the result's picture holds.
@@ -93,7 +106,9 @@ struct Report {
   TimeSteps time_steps;
   std::vector<SolveStatistics> solves;
   std::vector<std::pair<std::string, std::vector<double>>>
-      wall_forces;  ///< by name [N], as last observed
+      wall_forces;          ///< by name [N], as last observed
+  std::vector<Flow> flows;  ///< in the order of Scene::flow_names(), as last observed
+  std::vector<std::pair<std::string, BodyState>> bodies;  ///< by name, at the end
   Statistics statistics;
   PictureStatistics picture;
   std::vector<CheckResult> checks;

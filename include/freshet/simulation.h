@@ -21,6 +21,8 @@ struct ParticleView {
   std::span<const Real> x, v;      ///< position [m], velocity [m/s]
   std::span<const Real> density;   ///< [kg/m^D], as computed in the last step; at the start at rest
   std::span<const Real> pressure;  ///< the same of the pressure [Pa; N/m in 2D]
+  std::span<const int> liquid;     ///< place in Scene::liquids(); empty where there is but one
+  int liquid_of(std::size_t i) const { return liquid.empty() ? 0 : liquid[i]; }
   std::size_t size() const { return id.size(); }
 };
 
@@ -67,7 +69,12 @@ class Simulation {
   /// The force of the fluid on each wall, in the order of Scene::wall_names() [N; N/m in 2D]:
   /// reflecting walls the mean since the last call, others the present one.
   std::vector<Vector> wall_forces();
+  /// What inlets brought, outlets took and counters saw, in the order of Scene::flow_names(); rates
+  /// are the mean since the last call.
+  std::vector<Flow> flows();
   ParticleView fluid() const;
+  /// Where the bodies are, in the order of Scene::body.
+  std::vector<BodyState> bodies() const;
   /// A copy of the fluid for pictures and files.
   Frame frame() const;
   Statistics statistics() const;

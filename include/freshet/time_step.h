@@ -12,14 +12,16 @@ enum class Integrator { symplectic_euler, leapfrog, verlet };
 struct TimeStepBounds {
   double acoustic, force, viscous;
   double flow = std::numeric_limits<double>::infinity();  ///< of solvers without sound
-  double least() const { return std::min({acoustic, force, viscous, flow}); }
-  /// "sound", "force", "viscosity" or "flow": which of them is the least.
+  double capillary = std::numeric_limits<double>::infinity();  ///< of surface tension
+  double least() const { return std::min({acoustic, force, viscous, flow, capillary}); }
+  /// "sound", "force", "viscosity", "flow" or "surface tension": which of them is the least.
   const char* ruling() const {
     const double least = this->least();
     return least == acoustic  ? "sound"
            : least == force   ? "force"
            : least == viscous ? "viscosity"
-                              : "flow";
+           : least == flow    ? "flow"
+                              : "surface tension";
   }
 };
 

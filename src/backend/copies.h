@@ -37,12 +37,17 @@ template <int D> class Copies {
     return (rules & -rules) == std::uint32_t(1) << rule;
   }
 
+  /// After particles came or went: there are none until the next search.
+  void forget() { copies_.clear(); }
+
   /// Makes the copies of the particles with x, in the order of the particles.
   void make(const Particles<D>& p, Real h) {
     const std::size_t most = std::size_t(p.n) * std::size_t(room() - 1);
     copies_.clear();
-    copies_.reserve(most);  // memory that is not touched is only promised
-    sorted_.reserve(most);
+    if (copies_.capacity() < most) {  // memory that is not touched is only promised
+      copies_.reserve(most + most / 2);
+      sorted_.reserve(most + most / 2);
+    }
     for (int i = 0; i < p.n; ++i) {
       const std::size_t first = copies_.size();
       for (std::size_t r = 0; r < rules_.size(); ++r) {
@@ -74,6 +79,9 @@ template <int D> class Copies {
   }
   /// Copies learn new values of a field.
   void share(const Particles<D>& p, Field<Real> field) const {
+    for (int k = 0; k < size(); ++k) field[p.n + k] = field[copies_[std::size_t(k)].source];
+  }
+  void share(const Particles<D>& p, Field<int> field) const {
     for (int k = 0; k < size(); ++k) field[p.n + k] = field[copies_[std::size_t(k)].source];
   }
   void share(const Particles<D>& p, Field<Vec<D>> field) const {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "core/field.h"
+#include "boundary/rigid_bodies.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The particles of walls, one set a method; they stand still. wall is the number that a wall's
-/// force is told by (-1: none), friction 1 for no slip and 0 for free slip; both kept.
+/// The particles of walls, one set a method; they stand still, but those that bodies carry. wall is
+/// the number that a wall's force is told by (-1: none), friction 1 for no slip and 0 for free
+/// slip; both kept.
 template <int D> struct WallParticles : Particles<D> {
   Field<int> wall;
   Field<Real> friction;
@@ -27,16 +28,24 @@ template <int D> struct AkinciWall : WallParticles<D> {
 };
 /// [Adami 2012]
 template <int D> struct AdamiWall : WallParticles<D> {
-  Field<Real> p;  ///< scratch: pressure [Pa]; v, its velocity, is scratch as well
+  Field<Real> p;        ///< scratch: pressure [Pa]; v, what it shows the fluid, is scratch as well
+  Field<Vec<D>> slide;  ///< kept: velocity of the wall's surface along itself [m/s]
   template <class Visit> void fields(Visit visit) {
     WallParticles<D>::fields(visit);
     visit("p", Keep::scratch, p);
+    visit("slide", Keep::kept, slide);
   }
 };
 template <int D> struct Walls {
   AkinciWall<D> akinci2012;
   AdamiWall<D> adami2012;
   WallParticles<D> monaghan2009;
+  /// The samples of bodies are among those of akinci2012, images beyond periodic ends as well; here
+  /// they are once more and without images, as targets of what the fluid does to them. The id is
+  /// the number of the sample.
+  AkinciWall<D> of_bodies;
+  RigidBodies<D>* bodies = nullptr;  ///< none: nothing moves
+  Field<Real> rate;  ///< scratch, by particle of the fluid: the density's rate by moving samples
 };
 
 }  // namespace FRESHET_ISA

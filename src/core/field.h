@@ -26,6 +26,7 @@ template <int D> struct Particles {
   int set = 0;              ///< the backend's number of the set
   Field<std::uint64_t> id;  ///< kept; never reused
   Field<Vec<D>> x, v;       ///< kept: position [m], velocity [m/s]
+  bool moves = false;       ///< of a source: it is sorted anew in each search
 };
 
 }  // namespace FRESHET_ISA

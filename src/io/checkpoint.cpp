@@ -33,16 +33,18 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WatchRecord::Track, lasting, fatal, steps)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WatchRecord::Densest, id, x, value)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WatchRecord, warnings, tracks, steps_watched, first_step,
                                    first_compression, first_bound, first_densest, not_converged)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Flow, kind, name, particles, volume, rate, waiting)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunRecord, scene_name, frames, data_times, seconds, observables,
-                                   wall_forces, observed_step, frame_step, data_step,
-                                   scheduled_frames, scheduled_data, scheduled_observables)
+                                   wall_forces, flows, observed_step, frame_step, data_step,
+                                   scheduled_frames, scheduled_data, scheduled_observables, probes,
+                                   scheduled_probes, bodies, scheduled_bodies, bodies_step)
 
 namespace {
 
 using Json = nlohmann::json;
 
 // The format changes with whatever makes an older program misread a newer file, or the reverse.
-constexpr int format = 2;
+constexpr int format = 3;
 constexpr std::string_view magic = "Freshet checkpoint\n";
 constexpr std::size_t block = 512;  // HDF5 looks for itself at 0, 512, 1024 ...
 const std::string no_digest(64, '0');
@@ -121,6 +123,8 @@ Json json_of(const Checkpoint& c) {
   return {{"steps", c.steps},
           {"time", c.time},
           {"forces_asked", c.forces_asked},
+          {"flows_asked", c.flows_asked},
+          {"flowed", c.flowed},
           {"walls_sha256", c.walls_sha256},
           {"time_steps", c.time_steps},
           {"solves", finite(c.solves)},
@@ -134,6 +138,8 @@ void read_json(const Json& json, Checkpoint& c) {
   json.at("steps").get_to(c.steps);
   json.at("time").get_to(c.time);
   json.at("forces_asked").get_to(c.forces_asked);
+  json.at("flows_asked").get_to(c.flows_asked);
+  json.at("flowed").get_to(c.flowed);
   json.at("walls_sha256").get_to(c.walls_sha256);
   json.at("time_steps").get_to(c.time_steps);
   json.at("solves").get_to(c.solves);

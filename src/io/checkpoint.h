@@ -19,13 +19,19 @@ struct RunRecord {
   std::vector<double> data_times;   ///< of data files [s]
   double seconds = 0;               ///< that steps took
   std::string observables;          ///< observables.csv so far
+  std::vector<std::string> probes;  ///< the tables of the probes so far
   std::vector<Vector> wall_forces;  ///< as last observed
+  std::vector<Flow> flows;          ///< the same
+  std::string bodies;               ///< bodies.csv so far
   /// After which step each was last written.
   std::int64_t observed_step = -1, frame_step = -1, data_step = -1;
   /// What the schedule alone has brought; the rest was the end's, which a longer run does not have.
   std::int64_t scheduled_frames = 0;
   std::size_t scheduled_data = 0;
-  std::size_t scheduled_observables = 0;  ///< bytes
+  std::size_t scheduled_observables = 0;      ///< bytes
+  std::vector<std::size_t> scheduled_probes;  ///< bytes
+  std::size_t scheduled_bodies = 0;
+  std::int64_t bodies_step = -1;
 };
 
 /// What the watch over a run remembers: see sim/health.h.
@@ -55,7 +61,8 @@ struct Checkpoint {
   };
   std::string scene;  ///< TOML, as run; empty for a scene made in code
   std::int64_t steps = 0;
-  double time = 0, forces_asked = 0;  ///< [s]
+  double time = 0, forces_asked = 0, flows_asked = 0;  ///< [s]
+  std::vector<std::int64_t> flowed;                    ///< counts when flows were last asked for
   TimeSteps time_steps;
   std::vector<SolveStatistics> solves;
   bool retries_help = true;  ///< false from a step that halves did not help to one that converges

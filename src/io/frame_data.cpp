@@ -48,6 +48,7 @@ std::string encode_ply(const Frame& frame, const DataFields& fields) {
     bytes += "property float " + names.substr(at, end - at) + "\n";
   }
   if (fields.id) bytes += wide ? "property double id\n" : "property uint id\n";
+  if (!frame.liquid.empty()) bytes += "property int liquid\n";
   bytes += "end_header\n";
   bytes.reserve(bytes.size() + n * 44);
   for (std::size_t i = 0; i < n; ++i) {
@@ -59,6 +60,7 @@ std::string encode_ply(const Frame& frame, const DataFields& fields) {
     if (fields.pressure) append(bytes, frame.pressure[i]);
     if (fields.id && wide) append(bytes, double(frame.id[i]));
     else if (fields.id) append(bytes, std::uint32_t(frame.id[i]));
+    if (!frame.liquid.empty()) append(bytes, std::int32_t(frame.liquid[i]));
   }
   return bytes;
 }
@@ -71,8 +73,8 @@ std::string encode_csv(const Frame& frame, const DataFields& fields) {
   for (std::size_t k = 0; k < dimension; ++k) fmt::format_to(out, ",{}", axes[k]);
   for (std::size_t k = 0; k < dimension && fields.velocity; ++k)
     fmt::format_to(out, ",v{}", axes[k]);
-  fmt::format_to(out, "{}{}\n", fields.density ? ",density" : "",
-                 fields.pressure ? ",pressure" : "");
+  fmt::format_to(out, "{}{}{}\n", fields.density ? ",density" : "",
+                 fields.pressure ? ",pressure" : "", frame.liquid.empty() ? "" : ",liquid");
   const std::string moment = fmt::format("{},{}", frame.step, frame.time);
   for (std::size_t i = 0; i < frame.size(); ++i) {
     text.append(moment);
@@ -83,6 +85,7 @@ std::string encode_csv(const Frame& frame, const DataFields& fields) {
       fmt::format_to(out, ",{}", frame.v[i * dimension + k]);
     if (fields.density) fmt::format_to(out, ",{}", frame.density[i]);
     if (fields.pressure) fmt::format_to(out, ",{}", frame.pressure[i]);
+    if (!frame.liquid.empty()) fmt::format_to(out, ",{}", frame.liquid[i]);
     text.push_back('\n');
   }
   return fmt::to_string(text);

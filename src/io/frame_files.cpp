@@ -51,8 +51,8 @@ class FrameColumns final : public PointSink {
   }
 
  private:
-  static constexpr const char* names[] = {"x",       "y",        "z",  "vx",   "vy",  "vz",
-                                          "density", "pressure", "id", "step", "time"};
+  static constexpr const char* names[] = {"x",       "y",        "z",  "vx",   "vy",   "vz",
+                                          "density", "pressure", "id", "step", "time", "liquid"};
   int dimension() const { return given_dimension_ ? given_dimension_ : place_[2] < 0 ? 2 : 3; }
   double finite(double value) const {
     if (!(std::abs(value) <= 3e38))  // NaN too
@@ -61,14 +61,15 @@ class FrameColumns final : public PointSink {
   }
   double whole(double value) const {
     if (!(value >= 0 && value <= 9007199254740992.0 && value == std::floor(value)))
-      fail(fmt::format("an id or a step is {}, and they are whole numbers; the file is damaged",
-                       value));
+      fail(fmt::format(
+          "an id, a step or a liquid is {}, and they are whole numbers; the file is damaged",
+          value));
     return value;
   }
 
   Frame frame_;
   int given_dimension_ = 0;
-  std::ptrdiff_t place_[std::size(names)] = {-1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
+  std::ptrdiff_t place_[std::size(names)] = {-1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
 };
 
 void FrameColumns::add(const std::vector<double>& values) {
@@ -84,6 +85,7 @@ void FrameColumns::add(const std::vector<double>& values) {
   frame_.id.push_back(has(8) ? std::uint64_t(whole(value(8))) : i);
   if (has(9)) frame_.step = std::int64_t(whole(value(9)));
   if (has(10)) frame_.time = value(10);
+  if (has(11)) frame_.liquid.push_back(int(std::min(whole(value(11)), 1e9)));
 }
 
 constexpr const char* extensions[] = {".h5", ".vtp", ".ply", ".csv"};

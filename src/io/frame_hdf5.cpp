@@ -58,6 +58,10 @@ std::string encode_hdf5(const Frame& frame, const DataFields& fields) {
     file.write("id", std::span<const std::uint64_t>(frame.id));
     file.attribute("id", "unit", std::string("1"));
   }
+  if (!frame.liquid.empty()) {
+    file.write("liquid", std::span<const std::int32_t>(frame.liquid));
+    file.attribute("liquid", "unit", std::string("1"));
+  }
   return file.bytes();
 }
 
@@ -85,6 +89,11 @@ Frame decode_hdf5(std::string_view bytes, const std::string& place) {
     throw Error(
         Error::Kind::scene, place,
         fmt::format("there are {} ids and {} positions; the file is damaged", frame.id.size(), n));
+  if (!file.has("liquid")) return frame;
+  file.read("liquid", frame.liquid);
+  if (frame.liquid.size() != n)
+    throw Error(Error::Kind::scene, place,
+                "\"liquid\" is not one number a particle; the file is damaged");
   return frame;
 }
 

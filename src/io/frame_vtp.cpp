@@ -45,6 +45,7 @@ std::string point_data(const Frame& frame, const DataFields& fields, Appended& d
   if (fields.density) text += data.array("Float32", "density", 1, frame.density);
   if (fields.pressure) text += data.array("Float32", "pressure", 1, frame.pressure);
   if (fields.id) text += data.array("UInt64", "id", 1, frame.id);
+  if (!frame.liquid.empty()) text += data.array("Int32", "liquid", 1, frame.liquid);
   return text + "      </PointData>\n";
 }
 

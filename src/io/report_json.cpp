@@ -58,6 +58,21 @@ Json json(const SolveStatistics& s) {
           {"worst_error", s.worst_error}};
 }
 
+Json json(const Flow& f) {
+  return {{"kind", f.kind},
+          {"name", f.name},
+          {"particles", f.particles},
+          {"waiting", f.waiting},
+          {"volume", f.volume},
+          {"rate", f.rate}};
+}
+
+Json json(const BodyState& b) {
+  return {{"position", b.position}, {"orientation", b.orientation},
+          {"velocity", b.velocity}, {"angular_velocity", b.angular_velocity},
+          {"force", b.force},       {"torque", b.torque}};
+}
+
 Json json(const Warning& w) {
   return {{"kind", w.kind},
           {"cannot_be_right", w.cannot_be_right},
@@ -91,7 +106,11 @@ std::string to_json(const Report& r) {
                      {"ns_per_particle", v.targets ? 1e9 * v.seconds / double(v.targets) : 0}});
   Json forces = Json::object();
   for (const auto& [name, force] : r.wall_forces) forces[name] = force;
-  const Json all{{"freshet", FRESHET_VERSION},
+  Json flows = Json::array();
+  for (const Flow& f : r.flows) flows.push_back(json(f));
+  Json bodies = Json::object();
+  for (const auto& [name, body] : r.bodies) bodies[name] = json(body);
+  Json all{{"freshet", FRESHET_VERSION},
                  {"state", word(r.state)},
                  {"scene", r.scene},
                  {"title", r.title},
@@ -105,6 +124,7 @@ std::string to_json(const Report& r) {
                  {"time_steps", json(r.time_steps)},
                  {"solves", solves},
                  {"wall_forces", forces},
+                 {"flows", flows},
                  {"statistics", json(r.statistics)},
                  {"picture",
                   {{"pixels", r.picture.pixels},
@@ -116,6 +136,7 @@ std::string to_json(const Report& r) {
                  {"verbs", verbs},
                  {"state_sha256", r.state_sha256},
                  {"kept_sha256", r.kept_sha256}};
+  if (!r.bodies.empty()) all["bodies"] = bodies;
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

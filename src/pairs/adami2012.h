@@ -2,7 +2,7 @@
 /// Walls of several layers of particles, whose pressure and velocity are extrapolated from the
 /// fluid: a generalized wall boundary condition for SPH [Adami, Hu, Adams 2012].
 #pragma once
-#include "core/field.h"
+#include "core/fluid_particles.h"
 #include "pairs/becker2007_forces.h"
 
 namespace freshet {
@@ -22,19 +22,21 @@ template <int D, class R> struct Adami2012Sums {
 };
 
 /// p_w = (sum_f p_f W_wf + g · sum_f rho_f x_wf W_wf)/sum_f W_wf  [eq. 27, walls at rest]
-/// v_w = -sum_f v_f W_wf/sum_f W_wf                               [eqs. 22 and 23: no slip]
+/// v_w = 2 slide_w - sum_f v_f W_wf/sum_f W_wf                    [eqs. 22 and 23: no slip]
 template <int D, template <int> class Kernel> struct Adami2012Extrapolation {
   Kernel<D> W;
   Vec<D> gravity;
-  Field<Real> p, rho;
-  Field<Vec<D>> v;
+  Liquids liquids;
+  FluidParticles<D> fluid;
   template <class R> using At = Nothing<R>;
   template <class R> struct Neighbor {
     R p, rho;
     Vec<D, R> v;
   };
   FRESHET_HD At<Real> at(int) const { return {}; }
-  FRESHET_HD Neighbor<Real> neighbor(int f) const { return {p[f], rho[f], v[f]}; }
+  FRESHET_HD Neighbor<Real> neighbor(int f) const {
+    return {fluid.p[f], fluid.rho[f] / liquids.lightness(fluid, f), fluid.v[f]};
+  }
   template <class R>
   FRESHET_HD Adami2012Sums<D, R> operator()(const Pair<D, R>& wf, At<R>,
                                             const Neighbor<R>& f) const {

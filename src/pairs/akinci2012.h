@@ -39,24 +39,29 @@ Akinci2012Density(K<D>, A...) -> Akinci2012Density<D, K>;
 
 /// dv_i/dt += -sum_k psi_k (p_i/rho_i^2 + friction_k Pi_ik) grad W_ik  [eqs. 9, 11 and 13]
 ///
-/// The wall mirrors the pressure of the particle. friction: 1 for no slip, 0 for free slip.
+/// The wall mirrors the pressure of the particle, and moves by v_k. friction: 1 for no slip, 0 for
+/// free slip.
 template <int D, template <int> class Kernel> struct Akinci2012Forces {
   Kernel<D> W;
   ArtificialViscosity Pi;
   Field<Real> p, rho;
   Field<Vec<D>> v;
   Field<Real> psi, friction;
+  Field<Vec<D>> v_wall;
   template <class R> struct At {
     R p_rho2, rho;
     Vec<D, R> v;
   };
-  template <class R> struct Neighbor { R psi, friction; };
+  template <class R> struct Neighbor {
+    R psi, friction;
+    Vec<D, R> v;
+  };
   FRESHET_HD At<Real> at(int i) const { return {p[i] / square(rho[i]), rho[i], v[i]}; }
-  FRESHET_HD Neighbor<Real> neighbor(int k) const { return {psi[k], friction[k]}; }
+  FRESHET_HD Neighbor<Real> neighbor(int k) const { return {psi[k], friction[k], v_wall[k]}; }
   template <class R>
   FRESHET_HD Vec<D, R> operator()(const Pair<D, R>& ik, const At<R>& i,
                                   const Neighbor<R>& k) const {
-    const R Pi_ik = k.friction * Pi(ik, i.v, i.rho, i.rho);
+    const R Pi_ik = k.friction * Pi(ik, i.v - k.v, i.rho, i.rho);
     return (-k.psi * (i.p_rho2 + Pi_ik)) * W.gradient(ik);
   }
 };

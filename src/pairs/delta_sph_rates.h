@@ -114,20 +114,27 @@ template <int D, template <int> class Kernel> struct DeltaSphAkinciRates {
   Field<Real> p, rho;
   Field<Vec<D>> v;
   Field<Real> psi, friction;
+  Field<Vec<D>> v_wall;
   template <class R> struct At {
     R p, rho;
     Vec<D, R> v;
   };
-  template <class R> struct Neighbor { R V, friction; };
+  template <class R> struct Neighbor {
+    R V, friction;
+    Vec<D, R> v;
+  };
   FRESHET_HD At<Real> at(int i) const { return {p[i], rho[i], v[i]}; }
-  FRESHET_HD Neighbor<Real> neighbor(int k) const { return {psi[k] / c.rho0, friction[k]}; }
+  FRESHET_HD Neighbor<Real> neighbor(int k) const {
+    return {psi[k] / c.rho0, friction[k], v_wall[k]};
+  }
   template <class R>
   FRESHET_HD DeltaSphSum<D, R> operator()(const Pair<D, R>& ik, const At<R>& i,
                                           const Neighbor<R>& k) const {
     const Vec<D, R> dW = W.gradient(ik);
-    const R pi_ik = k.friction * dot(i.v, ik.x) / (ik.r2 + c.eps_h2);
+    const Vec<D, R> v_ik = i.v - k.v;
+    const R pi_ik = k.friction * dot(v_ik, ik.x) / (ik.r2 + c.eps_h2);
     return {(k.V * (c.alpha_h_c * c.rho0 * pi_ik - 2 * max(i.p, R(0))) / i.rho) * dW,
-            k.V * i.rho * dot(i.v, dW)};
+            k.V * i.rho * dot(v_ik, dW)};
   }
 };
 template <int D, template <int> class K, class... A>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "core/field.h"
+#include "core/fluid_particles.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
 
 /// What a particle's density is, and how it answers to a pressure of its own.
 template <int D, class R> struct DensityAndResponse {
-  R rho{}, gradient2{};  ///< sum_j m W_ij;  sum_j |m grad W_ij|^2 over what can move
+  R rho{}, gradient2{};  ///< sum_j m W_ij;  sum_j l_j |m grad W_ij|^2 over what can move
   Vec<D, R> gradient{};  ///< sum_j m grad W_ij
   FRESHET_HD DensityAndResponse& operator+=(const DensityAndResponse& o) {
     rho += o.rho;
@@ -15,24 +15,27 @@ template <int D, class R> struct DensityAndResponse {
     gradient += o.gradient;
     return *this;
   }
-  /// |sum_j m grad W_ij|^2 + sum_j |m grad W_ij|^2: how fast Drho_i/Dt falls as p_i/rho_i^2 grows,
-  /// pushed for a unit of time  [Bender and Koschier 2017, eq. 9: rho_i/alpha_i; Ihmsen 2014,
-  /// eq. 12: -rho_i^2 a_ii/dt^2]
-  FRESHET_HD R response() const { return norm2(gradient) + gradient2; }
+  /// l_i |sum_j m grad W_ij|^2 + sum_j l_j |m grad W_ij|^2, l the lightness: how fast Drho_i/Dt
+  /// falls as p_i/rho_i^2 grows, pushed for a unit of time  [Bender and Koschier 2017, eq. 9:
+  /// rho_i/alpha_i; Ihmsen 2014, eq. 12: -rho_i^2 a_ii/dt^2]
+  FRESHET_HD R response(R l_i) const { return l_i * norm2(gradient) + gradient2; }
 };
 
 ///   m  mass [kg];  m_density  mass over the kernel's lattice sum [kg]
 template <int D, template <int> class Kernel> struct FluidDensityAndResponse {
   Kernel<D> W;
   Real m, m_density;
+  Liquids liquids;
+  FluidParticles<D> f;
   template <class R> using At = Nothing<R>;
-  template <class R> using Neighbor = Nothing<R>;
+  template <class R> struct Neighbor { R lightness; };
   FRESHET_HD At<Real> at(int) const { return {}; }
-  FRESHET_HD Neighbor<Real> neighbor(int) const { return {}; }
+  FRESHET_HD Neighbor<Real> neighbor(int j) const { return {liquids.lightness(f, j)}; }
   template <class R>
-  FRESHET_HD DensityAndResponse<D, R> operator()(const Pair<D, R>& ij, At<R>, At<R>) const {
+  FRESHET_HD DensityAndResponse<D, R> operator()(const Pair<D, R>& ij, At<R>,
+                                                 const Neighbor<R>& j) const {
     const Vec<D, R> gradient = m * W.gradient(ij);
-    return {m_density * W(ij), norm2(gradient), gradient};
+    return {m_density * W(ij), j.lightness * norm2(gradient), gradient};
   }
 };
 template <int D, template <int> class K, class... A>

@@ -40,5 +40,23 @@ template <int D, template <int> class Kernel> struct Akinci2012DensityRate {
 template <int D, template <int> class K, class... A>
 Akinci2012DensityRate(K<D>, A...) -> Akinci2012DensityRate<D, K>;
 
+/// What the rate above is less by where samples move: sum_k psi_k v_k · grad W_ik. It is apart, so
+/// that walls at rest cost nothing.
+template <int D, template <int> class Kernel> struct MovingDensityRate {
+  Kernel<D> W;
+  Field<Real> psi;
+  Field<Vec<D>> v_wall;
+  template <class R> using At = Nothing<R>;
+  template <class R> struct Neighbor { Vec<D, R> psi_v; };
+  FRESHET_HD At<Real> at(int) const { return {}; }
+  FRESHET_HD Neighbor<Real> neighbor(int k) const { return {psi[k] * v_wall[k]}; }
+  template <class R>
+  FRESHET_HD R operator()(const Pair<D, R>& ik, At<R>, const Neighbor<R>& k) const {
+    return dot(k.psi_v, W.gradient(ik));
+  }
+};
+template <int D, template <int> class K, class... A>
+MovingDensityRate(K<D>, A...) -> MovingDensityRate<D, K>;
+
 }  // namespace FRESHET_ISA
 }  // namespace freshet

@@ -1,34 +1,38 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "core/field.h"
+#include "core/fluid_particles.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// a_i = sum_j 2m/(rho_i + rho_j) (2 (D + 2) nu (v_ij · x_ij)/(|x_ij|^2 + eps) grad W_ij
-///                                 - xsph/dt v_ij W_ij)
+/// a_i = sum_j 2m/(rho_i + rho_j) (2 (D + 2) nu_ij (v_ij · x_ij)/(|x_ij|^2 + eps) grad W_ij
+///                                 - xsph/dt v_ij W_ij),  nu_ij = 2 nu_i nu_j/(nu_i + nu_j)
 ///
 /// The first part is nu lap v [Monaghan 2005, with the factor of a divergence-free flow in D
 /// dimensions], the second takes each particle a share of the way to its neighbours' mean velocity
 /// [Monaghan 1989, XSPH as Schechter and Bridson 2012 have it]. Both conserve momentum, the first
-/// its moment as well.
+/// its moment as well. Of two liquids the mean is the one of equal stress on both sides [Cleary and
+/// Monaghan 1999].
 ///
 ///   m [kg], nu [m^2/s], eps_h2 0.01 h^2 [m^2], xsph_rate xsph/dt [1/s];  reads rho, v
 template <int D, template <int> class Kernel> struct LaminarViscosity {
   Kernel<D> W;
-  Real m, nu, eps_h2, xsph_rate;
-  Field<Real> rho;
-  Field<Vec<D>> v;
+  Real m;
+  Liquids liquids;
+  Real eps_h2, xsph_rate;
+  static constexpr Real least_nu = 1e-30f;  ///< two liquids without viscosity have none
+  FluidParticles<D> f;
   template <class R> struct At {
-    R rho;
+    R rho, nu;
     Vec<D, R> v;
   };
   template <class R> using Neighbor = At<R>;
-  FRESHET_HD At<Real> at(int i) const { return {rho[i], v[i]}; }
+  FRESHET_HD At<Real> at(int i) const { return {f.rho[i], liquids.nu(f, i), f.v[i]}; }
   FRESHET_HD Neighbor<Real> neighbor(int j) const { return at(j); }
   template <class R>
   FRESHET_HD Vec<D, R> operator()(const Pair<D, R>& ij, const At<R>& i, const At<R>& j) const {
     const Vec<D, R> v_ij = i.v - j.v;
+    const R nu = 2 * i.nu * j.nu / max(i.nu + j.nu, R(least_nu));
     const R along = 2 * (D + 2) * nu * dot(v_ij, ij.x) / (ij.r2 + eps_h2);
     return (2 * m / (i.rho + j.rho)) * (along * W.gradient(ij) - (xsph_rate * W(ij)) * v_ij);
   }
@@ -36,24 +40,28 @@ template <int D, template <int> class Kernel> struct LaminarViscosity {
 template <int D, template <int> class K, class... A>
 LaminarViscosity(K<D>, A...) -> LaminarViscosity<D, K>;
 
-/// The same of the samples of a wall at rest, as heavy as psi and as dense as the particle.
+/// The same of the samples of a wall, as heavy as psi and as dense as the particle.
 template <int D, template <int> class Kernel> struct Akinci2012Friction {
   Kernel<D> W;
-  Real nu, eps_h2;
-  Field<Real> rho;
-  Field<Vec<D>> v;
+  Liquids liquids;
+  Real eps_h2;
+  FluidParticles<D> f;
   Field<Real> psi, friction;
+  Field<Vec<D>> v_wall;
   template <class R> struct At {
-    R inv_rho;
+    R inv_rho, nu;
     Vec<D, R> v;
   };
-  template <class R> struct Neighbor { R psi; };
-  FRESHET_HD At<Real> at(int i) const { return {1 / rho[i], v[i]}; }
-  FRESHET_HD Neighbor<Real> neighbor(int k) const { return {psi[k] * friction[k]}; }
+  template <class R> struct Neighbor {
+    R psi;
+    Vec<D, R> v;
+  };
+  FRESHET_HD At<Real> at(int i) const { return {1 / f.rho[i], liquids.nu(f, i), f.v[i]}; }
+  FRESHET_HD Neighbor<Real> neighbor(int k) const { return {psi[k] * friction[k], v_wall[k]}; }
   template <class R>
   FRESHET_HD Vec<D, R> operator()(const Pair<D, R>& ik, const At<R>& i,
                                   const Neighbor<R>& k) const {
-    const R along = 2 * (D + 2) * nu * dot(i.v, ik.x) / (ik.r2 + eps_h2);
+    const R along = 2 * (D + 2) * i.nu * dot(i.v - k.v, ik.x) / (ik.r2 + eps_h2);
     return (k.psi * i.inv_rho * along) * W.gradient(ik);
   }
 };

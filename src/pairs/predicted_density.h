@@ -24,18 +24,23 @@ template <int D, template <int> class Kernel> struct PredictedDensity {
 template <int D, template <int> class K, class... A>
 PredictedDensity(K<D>, A...) -> PredictedDensity<D, K>;
 
-/// rho*_i += sum_k psi_k W(x*_i - x_k)  [Akinci 2012, eq. 6]
+/// rho*_i += sum_k psi_k W(x*_i - x*_k),  x*_k = x_k + dt v_k  [Akinci 2012, eq. 6]
 template <int D, template <int> class Kernel> struct Akinci2012PredictedDensity {
   Kernel<D> W;
   Field<Real> psi;
   Field<Vec<D>> moved;
+  Real dt;
+  Field<Vec<D>> v_wall;
   template <class R> struct At { Vec<D, R> moved; };
-  template <class R> struct Neighbor { R psi; };
+  template <class R> struct Neighbor {
+    R psi;
+    Vec<D, R> moved;
+  };
   FRESHET_HD At<Real> at(int i) const { return {moved[i]}; }
-  FRESHET_HD Neighbor<Real> neighbor(int k) const { return {psi[k]}; }
+  FRESHET_HD Neighbor<Real> neighbor(int k) const { return {psi[k], dt * v_wall[k]}; }
   template <class R>
   FRESHET_HD R operator()(const Pair<D, R>& ik, const At<R>& i, const Neighbor<R>& k) const {
-    return k.psi * W(Pair<D, R>(ik.x + i.moved));
+    return k.psi * W(Pair<D, R>(ik.x + (i.moved - k.moved)));
   }
 };
 template <int D, template <int> class K, class... A>

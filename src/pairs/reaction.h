@@ -22,5 +22,11 @@ template <int D, class TermT> struct Reaction {
   }
 };
 
+/// Keeps such a sum [m/s^2].
+template <int D> struct StoreForce {
+  Field<Vec<D>> force;
+  FRESHET_HD void operator()(int k, const Vec<D>& sum) const { force[k] = sum; }
+};
+
 }  // namespace FRESHET_ISA
 }  // namespace freshet

@@ -28,6 +28,15 @@ constexpr Color coolwarm[] = {{59, 76, 192},   {98, 130, 234},  {141, 176, 254},
                               {184, 208, 249}, {221, 221, 221}, {245, 196, 173},
                               {244, 154, 123}, {222, 96, 77},   {180, 4, 38}};
 
+constexpr Color liquid_colors[] = {{64, 156, 220},  {237, 165, 37},  {92, 184, 92},
+                                   {214, 86, 82},   {150, 110, 200}, {60, 190, 180},
+                                   {235, 130, 180}, {170, 170, 170}};
+
+Color liquid_color(const std::string& given, std::size_t k) {
+  if (const auto c = background_color(given)) return {(*c)[0], (*c)[1], (*c)[2]};
+  return liquid_colors[k % std::size(liquid_colors)];
+}
+
 Color between(std::span<const Color> colors, float t) {
   const float at = t * float(colors.size() - 1);
   const std::size_t k = std::min(std::size_t(at), colors.size() - 2);
@@ -48,7 +57,14 @@ float speed_of(const Frame& f, std::size_t i) {
   return std::sqrt(sum);
 }
 
-float value_of(const Scene& s, const Frame& f, std::size_t i) {
+/// Of `count` liquids; a file may say what it likes.
+std::size_t liquid_of(const Frame& f, std::size_t i, std::size_t count) {
+  const std::size_t k = f.liquid.empty() ? 0 : std::size_t(f.liquid[i]);
+  return k < count ? k : 0;
+}
+
+float value_of(const Scene& s, const std::vector<float>& rest_density, const Frame& f,
+               std::size_t i) {
   const auto d = std::size_t(f.dimension);
   switch (s.picture.color_by) {
     case ColorBy::speed:
@@ -62,13 +78,15 @@ float value_of(const Scene& s, const Frame& f, std::size_t i) {
     case ColorBy::density:
       return f.density[i];
     case ColorBy::density_error:
-      return f.density[i] / float(s.fluid.at(0).rest_density) - 1;
+      return f.density[i] / rest_density[liquid_of(f, i, rest_density.size())] - 1;
     case ColorBy::pressure:
       return f.pressure[i];
     case ColorBy::height:
       return f.x[d * i + 1];
     case ColorBy::id:
       return float(f.id[i]);
+    case ColorBy::liquid:
+      return float(liquid_of(f, i, rest_density.size()));
   }
   return 0;
 }
@@ -94,6 +112,8 @@ std::string label_of(const Scene& s) {
       return "height [m]";
     case ColorBy::id:
       return "id";
+    case ColorBy::liquid:
+      return "liquid";
   }
   return "";
 }
@@ -139,6 +159,12 @@ Color map_color(ColorMap map, float t) {
   return {};
 }
 
+Color Coloring::at(float t) const {
+  if (liquids.empty()) return map_color(map, t);
+  const float k = t > 0 ? t * float(liquids.size()) : 0;  // NaN too
+  return liquids[std::min(std::size_t(k), liquids.size() - 1)];
+}
+
 Color ground_color(const Scene& scene) {
   const auto c = background_color(scene.picture.background).value_or(*background_color("night"));
   return {c[0], c[1], c[2]};
@@ -149,9 +175,20 @@ bool is_light(Color c) { return int(c.r) + c.g + c.b > 3 * 127; }
 Coloring color_particles(const Scene& s, const Frame& frame) {
   const ColorMap map =
       s.picture.color_map.value_or(frame.dimension == 2 ? ColorMap::article : ColorMap::water);
-  Coloring c{map, 0, 1, {}, label_of(s)};
+  Coloring c{map, 0, 1, {}, label_of(s), {}};
+  const auto liquids = s.liquids();
+  std::vector<float> rest_density;
+  for (const Scene::Liquid& liquid : liquids) rest_density.push_back(float(liquid.rest_density));
   c.values.reserve(frame.size());
-  for (std::size_t i = 0; i < frame.size(); ++i) c.values.push_back(value_of(s, frame, i));
+  for (std::size_t i = 0; i < frame.size(); ++i)
+    c.values.push_back(value_of(s, rest_density, frame, i));
+  if (s.picture.color_by == ColorBy::liquid) {
+    for (std::size_t k = 0; k < liquids.size(); ++k)
+      c.liquids.push_back(liquid_color(liquids[k].color, k));
+    c.low = -0.5f;
+    c.high = float(liquids.size()) - 0.5f;
+    return c;
+  }
   if (s.picture.color_range.size() == 2) {
     c.low = float(s.picture.color_range[0]);
     c.high = float(s.picture.color_range[1]);

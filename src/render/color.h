@@ -19,11 +19,14 @@ bool is_light(Color ground);
 /// What the particles of a frame are coloured by.
 struct Coloring {
   ColorMap map;
-  float low, high;            ///< the values at the ends of the map
-  std::vector<float> values;  ///< one a particle
-  std::string label;          ///< "speed [m/s]"
+  float low, high;             ///< the values at the ends of the map
+  std::vector<float> values;   ///< one a particle
+  std::string label;           ///< "speed [m/s]"
+  std::vector<Color> liquids;  ///< by the value, a whole number, instead of the map; else empty
 
-  Color operator()(std::size_t i) const { return map_color(map, (values[i] - low) / (high - low)); }
+  Color operator()(std::size_t i) const { return at((values[i] - low) / (high - low)); }
+  /// At t = 0 ... 1 between low and high.
+  Color at(float t) const;
 };
 
 /// As the scene's picture.color_by, color_map and color_range say.

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/rotation.h"
+#include "render/bodies.h"
+#include "scene/body_shape.h"
 #include "scene/solid_of.h"
 
 namespace freshet {
@@ -115,6 +118,32 @@ void draw_walls(Image& image, const Scene& s, const Window& window) {
   }
 }
 
+/// Bodies where they are now, as walls are drawn; turned back to where their shape stands.
+void draw_bodies(Image& image, const Scene& s, const Window& window, const Frame& frame) {
+  const double scale[] = {window.pixels_per_metre(image, 0), window.pixels_per_metre(image, 1)};
+  for (std::size_t k = 0; k < std::min(s.body.size(), frame.bodies.size()); ++k) {
+    const auto solid = solid_of<2>(s.body[k]);
+    const BodyShape shape = body_shape(s.body[k]);
+    const BodyState& now = frame.bodies[k];
+    const Rotation turn(now.orientation);
+    const auto pixel = [](double p, int last) {
+      return int(std::clamp(p, double(margin), double(last)));
+    };
+    const int right = image.width - margin, bottom = image.height - margin;
+    const double x = margin + (now.position[0] - window.min[0]) * scale[0];
+    const double y = bottom - (now.position[1] - window.min[1]) * scale[1];
+    const double reach_x = shape.reach * scale[0] + 2, reach_y = shape.reach * scale[1] + 2;
+    for (int py = pixel(y - reach_y, bottom); py < pixel(y + reach_y, bottom); ++py)
+      for (int px = pixel(x - reach_x, right); px < pixel(x + reach_x, right); ++px) {
+        const Vec<3, double> p{window.min[0] + (px + 0.5 - margin) / scale[0] - now.position[0],
+                               window.max[1] - (py + 0.5 - margin) / scale[1] - now.position[1], 0};
+        const Vec<3, double> q = shape.center + turn.inverse(p);
+        const double inside = 0.5 - solid.distance({q.x, q.y}) * std::min(scale[0], scale[1]);
+        if (inside > 0) cover(image.at(px, py), body_color(s, k), std::min(1.0f, float(inside)));
+      }
+  }
+}
+
 /// The article's: light that adds up.
 void add_dots(Image& image, const Scene& scene, const Window& window, const Frame& fluid,
               const Coloring& colors) {
@@ -170,6 +199,7 @@ Image draw_dots(const Scene& scene, const Frame& fluid, const Coloring& colors) 
   draw_walls(image, scene, window);
   if (scene.picture.dots == Dots::glow) add_dots(image, scene, window, fluid, colors);
   else cover_with_discs(image, scene, window, fluid, colors);
+  draw_bodies(image, scene, window, fluid);
   draw_frame(image);
   return image;
 }

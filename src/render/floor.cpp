@@ -33,7 +33,8 @@ Bounds bounds_of(const Solid<3, double>& s) {
 }
 
 FloorShadow::FloorShadow(const Scene& scene, const Frame& fluid,
-                         const std::vector<Solid<3, double>>& solids)
+                         const std::vector<Solid<3, double>>& solids,
+                         const std::vector<TriangleMesh>& bodies)
     : low_(point_of(scene.domain.min)), high_(point_of(scene.domain.max)) {
   const Point size = high_ - low_;
   side_ = finest * std::max(size.x, size.z);
@@ -46,6 +47,7 @@ FloorShadow::FloorShadow(const Scene& scene, const Frame& fluid,
     if (solid.kind != SolidKind::plane && !solid.fluid_inside) add_solid(solid);
   for (const Scene::Wall& wall : scene.wall)
     if (wall.loaded && wall.side == Side::outside) add_mesh(wall.loaded->distance.mesh());
+  for (const TriangleMesh& body : bodies) add_mesh(body);
   for (int pass = 0; pass < 3; ++pass) blur(softness);
 }
 

@@ -21,7 +21,8 @@ Bounds bounds_of(const Solid<3, double>& solid);
 /// How dark the bottom of the domain is: the shadows of the fluid and of solids, with soft edges.
 class FloorShadow {
  public:
-  FloorShadow(const Scene& scene, const Frame& fluid, const std::vector<Solid<3, double>>& solids);
+  FloorShadow(const Scene& scene, const Frame& fluid, const std::vector<Solid<3, double>>& solids,
+              const std::vector<TriangleMesh>& bodies);
 
   /// 0 in full light ... 1 in full shadow, at (x, z) [m] on the floor.
   float operator()(double x, double z) const;

@@ -131,7 +131,7 @@ void draw_colors(Sheet& sheet, const Image& image, const Coloring& c) {
   sheet.panel(x - 0.5 * em, top, across + em, tall + 3.2 * em);
   sheet.write(x, top + 1.2 * em, c.label);
   for (int k = 0; k < int(tall); ++k)
-    sheet.fill(x, y + k, wide, 1, map_color(c.map, 1 - (float(k) + 0.5f) / float(tall)));
+    sheet.fill(x, y + k, wide, 1, c.at(1 - (float(k) + 0.5f) / float(tall)));
   for (int k = 0; k < 3; ++k)
     sheet.write(x + wide + 0.5 * em, y + tall * k / 2 + 0.35 * em, values[k]);
 }

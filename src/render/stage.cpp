@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "render/bodies.h"
 #include "render/color.h"
 #include "render/triangle.h"
 #include "scene/solid_of.h"
@@ -53,7 +54,9 @@ Stage::Stage(const Scene& scene, const Frame& fluid, const View& view, Color gro
     else if (solid.kind != SolidKind::plane || solid.distance(view.eye) > 0)
       solids_.push_back(solid);
   }
-  if (has_floor_) shadow_.emplace(scene, fluid, solids_);
+  bodies_ = posed_bodies(scene, fluid);
+  for (std::size_t k = 0; k < bodies_.size(); ++k) body_colors_.push_back(body_color(scene, k));
+  if (has_floor_) shadow_.emplace(scene, fluid, solids_, bodies_);
 }
 
 void Stage::add_box_lines(Point low, Point high) {
@@ -118,7 +121,10 @@ void Stage::draw(Band& band) const {
   for (const auto& solid : solids_) draw_solid(band, solid);
   for (const auto& mesh : meshes_)
     for (std::size_t k = 0; k < mesh.loaded->distance.mesh().triangles.size(); ++k)
-      draw_triangle(band, mesh, int(k));
+      draw_triangle(band, mesh.loaded->distance.mesh(), int(k), mesh.tank, wall_color);
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (std::size_t k = 0; k < bodies_[b].triangles.size(); ++k)
+      draw_triangle(band, bodies_[b], int(k), false, body_colors_[b]);
   for (const Line& line : lines_) draw_line(band, line);
 }
 
@@ -180,11 +186,12 @@ void Stage::draw_solid(Band& band, const Solid<3, double>& solid) const {
 }
 
 /// Of a tank only what is seen from within: one looks in.
-void Stage::draw_triangle(Band& band, const Mesh& mesh, int triangle) const {
-  const auto corners = mesh.loaded->distance.mesh().corners(triangle);
+void Stage::draw_triangle(Band& band, const TriangleMesh& mesh, int triangle, bool tank,
+                          Color surface) const {
+  const auto corners = mesh.corners(triangle);
   Point normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
   const double facing = dot(view_.eye - corners[0], normal);
-  if (mesh.tank && facing >= 0) return;
+  if (tank && facing >= 0) return;
   normal = (facing < 0 ? -1 : 1) / norm(normal) * normal;
   std::vector<Point> seen;  // x, y and 1/z of what is before the eye
   for (std::size_t k = 0; k < 3; ++k) {
@@ -198,7 +205,7 @@ void Stage::draw_triangle(Band& band, const Mesh& mesh, int triangle) const {
     if (za >= 0) add(a);
     if ((za < 0) != (zb < 0)) add(a + za / (za - zb) * (b - a));
   }
-  const Color color = lit(wall_color, brightness(normal));
+  const Color color = lit(surface, brightness(normal));
   for (std::size_t k = 2; k < seen.size(); ++k) {
     const Point z{seen[0].z, seen[k - 1].z, seen[k].z};
     for_each_cell({{seen[0].x, seen[0].y}, {seen[k - 1].x, seen[k - 1].y}, {seen[k].x, seen[k].y}},

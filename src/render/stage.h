@@ -46,7 +46,8 @@ class Stage {
 
   void draw_floor(Band& band) const;
   void draw_solid(Band& band, const Solid<3, double>& solid) const;
-  void draw_triangle(Band& band, const Mesh& mesh, int triangle) const;
+  void draw_triangle(Band& band, const TriangleMesh& mesh, int triangle, bool tank,
+                     Color color) const;
   void draw_line(Band& band, const Line& line) const;
   /// Distance along the line of sight and the surface's direction where a ray meets a solid.
   struct Hit {
@@ -61,6 +62,8 @@ class Stage {
   Color floor_, edge_;
   std::vector<Solid<3, double>> solids_;
   std::vector<Mesh> meshes_;
+  std::vector<TriangleMesh> bodies_;
+  std::vector<Color> body_colors_;
   std::vector<Line> lines_;
   std::optional<FloorShadow> shadow_;
 };

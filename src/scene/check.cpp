@@ -24,23 +24,30 @@ std::vector<Diagnostic> contradictions(const Scene& given,
   if (read("domain") && findings.list.empty()) check_sizes(scene, findings);
   const bool sizes = read("domain") && findings.list.empty();
   if (read("particles")) check_particles(scene, findings);
-  if (read("fluid") && scene.fluid.empty())
-    findings.error("fluid", "there is no fluid; add a [fluid] table");
+  if (read("fluid", "inlet") && scene.fluid.empty() && scene.inlet.empty())
+    findings.error("fluid", "there is no fluid; add a [fluid] table, or an [inlet]");
   if (read("time")) check_time(scene, findings);
   if (read("time", "output")) check_output(scene, findings);
   if (read("solver", "particles", "fluid")) check_method(scene, findings);
   if (!sizes) return std::move(findings.list);
 
   if (read("particles")) check_resolution(scene, findings);
+  if (read("probe")) check_probes(scene, findings);
   if (read("picture")) check_picture(scene, findings);
   if (read("camera")) check_camera(scene, findings);
   if (read("particles")) check_periodic(scene, findings);
   if (read("solver")) check_gravity(scene, findings);
   if (read("solver")) check_body_force(scene, findings);
+  if (read("solver", "fluid", "particles", "air", "walls", "wall")) check_forces(scene, findings);
   if (read("solver", "particles", "walls", "wall", "time")) check_scheme(scene, findings);
   if (read("solver", "walls")) check_sides(scene, findings);
   const bool walls = read("solver", "walls", "wall", "particles") && check_walls(scene, findings);
-  if (read("particles", "fluid")) check_fluids(scene, walls, findings);
+  const bool bodies = read("solver", "walls", "wall", "body", "joint", "particles", "time") &&
+                      check_bodies(scene, findings);
+  const bool flows = read("particles", "inlet", "outlet", "counter", "time") &&
+                     check_flows(scene, walls, findings);
+  if (read("particles", "fluid") && (flows || scene.inlet.empty()))
+    check_fluids(scene, walls, bodies, findings);
   return std::move(findings.list);
 }
 

@@ -80,12 +80,40 @@ void check_sizes(const Scene& s, Findings& out) {
   };
   check("domain.min", s.domain.min.size());
   check("domain.gravity", s.domain.gravity.size());
+  check("air.velocity", s.air.velocity.size());
   for (std::size_t k = 0; k < s.fluid.size(); ++k) {
     check_region(fmt::format("fluid[{}].", k), s.fluid[k]);
     check(fmt::format("fluid[{}].velocity", k), s.fluid[k].velocity.size());
   }
-  for (std::size_t k = 0; k < s.wall.size(); ++k)
+  for (std::size_t k = 0; k < s.wall.size(); ++k) {
     check_region(fmt::format("wall[{}].", k), s.wall[k]);
+    check(fmt::format("wall[{}].velocity", k), s.wall[k].velocity.size());
+  }
+  const auto check_opening = [&](const std::string& at, const Scene::Opening& o) {
+    check(at + "center", o.center.size());
+    check(at + "direction", o.direction.size());
+    check(at + "up", o.up.size());
+  };
+  for (std::size_t k = 0; k < s.inlet.size(); ++k)
+    check_opening(fmt::format("inlet[{}].", k), s.inlet[k]);
+  for (std::size_t k = 0; k < s.outlet.size(); ++k)
+    check_region(fmt::format("outlet[{}].", k), s.outlet[k]);
+  for (std::size_t k = 0; k < s.counter.size(); ++k)
+    check_opening(fmt::format("counter[{}].", k), s.counter[k]);
+  for (std::size_t k = 0; k < s.body.size(); ++k) {
+    const Scene::Body& b = s.body[k];
+    const std::string at = fmt::format("body[{}].", k);
+    check_region(at, b);
+    check(at + "pivot", b.pivot.size());
+    check(at + "turn_axis", b.turn_axis.size());
+    check(at + "velocity", b.velocity.size());
+    for (std::size_t j = 0; j < b.key.size(); ++j)
+      check(fmt::format("{}key[{}].translation", at, j), b.key[j].translation.size());
+  }
+  for (std::size_t k = 0; k < s.joint.size(); ++k) {
+    check(fmt::format("joint[{}].point", k), s.joint[k].point.size());
+    check(fmt::format("joint[{}].axis", k), s.joint[k].axis.size());
+  }
   for (std::size_t k = 0; k < s.camera.size(); ++k) {
     check(fmt::format("camera[{}].position", k), s.camera[k].position.size());
     check(fmt::format("camera[{}].target", k), s.camera[k].target.size());

@@ -4,15 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/background.h"
+#include "scene/expressions.h"
 #include "scene/findings.h"
 #include "scene/keys.h"
+#include "scene/openings.h"
 #include "scene/places.h"
 
 namespace freshet {
 namespace {
 
 constexpr double most_particles = 2147483647.0;
-constexpr std::size_t most_fluids = 1000;
+constexpr std::size_t most_fluids = 1000, most_liquids = 8;
 constexpr double bytes_per_particle = 400;  // fields, lists and pictures, generously
 
 bool is_block(const Scene::Fluid& f) {
@@ -105,15 +108,53 @@ bool check_count(double particles, double samples, Findings& out) {
   return all <= most_particles && needed <= memory;
 }
 
+/// mueller2003 takes one liquid.
 void check_same_liquid(const Scene& s, std::size_t k, Findings& out) {
   const Scene::Fluid &a = s.fluid[0], &b = s.fluid[k];
-  const bool viscous = s.solver.name == SolverName::mueller2003 || s.solver.incompressible();
-  if (a.rest_density == b.rest_density && (!viscous || a.viscosity == b.viscosity)) return;
+  if (s.solver.name != SolverName::mueller2003) return;
+  if (a.rest_density == b.rest_density && a.viscosity == b.viscosity) return;
   const char* key = a.rest_density == b.rest_density ? "viscosity" : "rest_density";
   out.error(fmt::format("fluid[{}].{}", k, key),
-            fmt::format("fluid[{}] and fluid[0] differ in {}; {} takes one liquid, give "
-                        "all the same",
-                        k, key, solver_words[int(s.solver.name)]));
+            fmt::format("fluid[{}] and fluid[0] differ in {}; mueller2003 takes one liquid, give "
+                        "all the same, or choose another solver.name",
+                        k, key));
+}
+
+void check_liquids(const Scene& s, Findings& out) {
+  const auto liquids = s.liquids();
+  if (liquids.size() > most_liquids)
+    out.error("fluid", fmt::format("there are {} liquids, fluids that differ in rest_density, "
+                                   "viscosity or color; at most {} are allowed, make some alike",
+                                   liquids.size(), most_liquids));
+  const auto lighter = [&](const Scene::Liquid& l) {
+    return l.rest_density != liquids[0].rest_density;
+  };
+  if (s.solver.density_diffusion == DensityDiffusion::fourtakas2019 &&
+      s.solver.name == SolverName::delta_sph &&
+      std::any_of(liquids.begin(), liquids.end(), lighter))
+    out.error("solver.density_diffusion",
+              "solver.density_diffusion is \"fourtakas2019\", which knows the weight of one "
+              "liquid, and the fluids differ in rest_density; choose \"antuono2010\"");
+}
+
+void check_velocity_field(const Scene& s, const Scene::Fluid& f, const std::string& at,
+                          Findings& out) {
+  if (f.velocity_field.empty()) return;
+  if (f.velocity_field.size() != std::size_t(s.dimension()))
+    return out.error(at + "velocity_field",
+                     fmt::format("fluid.velocity_field has {} functions, and the domain is in {}D; "
+                                 "give {}",
+                                 f.velocity_field.size(), s.dimension(), s.dimension()));
+  if (const auto fault = fault_in(f.velocity_field))
+    out.error(at + "velocity_field", "fluid.velocity_field " + *fault);
+  else out.unused(at + "velocity", "fluid.velocity", "fluid.velocity_field gives it; remove one");
+}
+
+void check_color(const Scene::Fluid& f, const std::string& at, Findings& out) {
+  if (f.color.empty() || (f.color[0] == '#' && background_color(f.color))) return;
+  out.error(at + "color", fmt::format("fluid.color is \"{}\", not a colour; write it as #rrggbb, "
+                                      "such as \"#3070c0\"",
+                                      f.color));
 }
 
 void check_pressure(const Scene::Fluid& f, const std::string& at, Findings& out) {
@@ -165,16 +206,19 @@ std::optional<double> check_shape(const Scene& s, const Scene::Fluid& f, const s
 
 }  // namespace
 
-void check_fluids(const Scene& s, bool walls_are_good, Findings& out) {
+void check_fluids(const Scene& s, bool walls_are_good, bool bodies_are_good, Findings& out) {
   if (s.fluid.size() > most_fluids)
     return out.error("fluid", fmt::format("there are {} fluids; at most {} are allowed",
                                           s.fluid.size(), most_fluids));
+  check_liquids(s, out);
   double particles = 0;
   std::vector<std::size_t> good;
   for (std::size_t k = 0; k < s.fluid.size(); ++k) {
     const Scene::Fluid& f = s.fluid[k];
     const std::string at = fmt::format("fluid[{}].", k);
     check_same_liquid(s, k, out);
+    check_color(f, at, out);
+    check_velocity_field(s, f, at, out);
     check_pressure(f, at, out);
     const std::optional<double> places = check_shape(s, f, at, out);
     if (!places) continue;
@@ -182,8 +226,12 @@ void check_fluids(const Scene& s, bool walls_are_good, Findings& out) {
     check_inside(s, f, at, out);
     good.push_back(k);
   }
-  const double samples = walls_are_good ? most_wall_samples(s) : 0;
-  if (check_count(particles, samples, out) && (walls_are_good || s.wall.empty()))
+  const InflowEstimate inflow = estimate_inflow(s);
+  particles += inflow.at_start + std::min(inflow.later, room_in_domain(s));
+  const double samples =
+      (walls_are_good ? most_wall_samples(s) : 0) + (bodies_are_good ? most_body_samples(s) : 0);
+  if (check_count(particles, samples, out) && (walls_are_good || s.wall.empty()) &&
+      (bodies_are_good || s.body.empty()))
     check_room(s, good, out);
 }
 

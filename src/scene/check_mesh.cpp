@@ -65,17 +65,16 @@ bool check_mesh(const Scene& s, const RegionAt& at, Findings& out) {
                 fmt::format("{}.file is \"{}\": {}", at.name, at.region.file, d.message));
     return false;
   }
-  const bool encloses = at.name == "fluid" || at.region.side == Side::inside;
+  const bool encloses = at.name != "wall" || at.region.side == Side::inside;
   const MeshCondition& c = loaded->condition;
   if (encloses && !c.closed()) {
-    out.error(
-        at.path + "file",
-        fmt::format(
-            "{}.file is \"{}\", which does not close: {} edges have one triangle "
-            "only, the first near [{:.4g}, {:.4g}, {:.4g}], so nothing tells its "
-            "inside; close it in a modelling program{}",
-            at.name, at.region.file, c.open, c.open_at.x, c.open_at.y, c.open_at.z,
-            at.name == "fluid" ? "" : ", or take it as a sheet with wall.side = \"outside\""));
+    out.error(at.path + "file",
+              fmt::format(
+                  "{}.file is \"{}\", which does not close: {} edges have one triangle "
+                  "only, the first near [{:.4g}, {:.4g}, {:.4g}], so nothing tells its "
+                  "inside; close it in a modelling program{}",
+                  at.name, at.region.file, c.open, c.open_at.x, c.open_at.y, c.open_at.z,
+                  at.name != "wall" ? "" : ", or take it as a sheet with wall.side = \"outside\""));
     return false;
   }
   return check_place(s, at, loaded->distance, out);

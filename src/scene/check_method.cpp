@@ -65,7 +65,8 @@ class UnusedKeys {
 
 void check_mueller2003_keys(const UnusedKeys& unused) {
   unused.has("solver.kernel", "has the kernels of its paper");
-  unused.belong_to("wcsph and delta_sph", {"solver.sound_speed", "solver.artificial_viscosity"});
+  unused.belong_to("wcsph and delta_sph", {"solver.sound_speed", "solver.artificial_viscosity",
+                                           "solver.background_pressure"});
 }
 
 /// What mueller2003 alone has.
@@ -74,16 +75,20 @@ void check_scheme_keys(const UnusedKeys& unused) {
   unused.has("solver.speed_limit", "has none");
 }
 
-void check_weakly_compressible_keys(const UnusedKeys& unused) {
+void check_weakly_compressible_keys(const Scene& s, const UnusedKeys& unused) {
   check_scheme_keys(unused);
   unused.has("solver.stiffness", "has solver.sound_speed instead");
-  unused.has_viscosity("has solver.artificial_viscosity instead");
+  // drops flatten in the air by it
+  if (s.viscosity_method() == ViscosityMethod::artificial && s.air.drag == Drag::none)
+    unused.has_viscosity(
+        "has solver.artificial_viscosity instead, unless solver.viscosity_method is another");
 }
 
 void check_pressure_keys(const Scene& s, const UnusedKeys& unused, Findings& out) {
   check_scheme_keys(unused);
   unused.has("solver.stiffness", "solves for the pressure, without an equation of state");
   unused.has("solver.sound_speed", "solves for the pressure, without sound");
+  unused.has("solver.background_pressure", "solves for the pressure, without an equation of state");
   unused.has("solver.artificial_viscosity", "has fluid.viscosity instead");
   unused.has("time.integrator", "has an integrator of its own");
   if (s.solver.min_iterations > s.solver.max_iterations)
@@ -165,14 +170,14 @@ void check_method(const Scene& s, Findings& out) {
   const UnusedKeys unused(s, out);
   if (mueller) check_mueller2003_keys(unused);
   else if (s.solver.incompressible()) check_pressure_keys(s, unused, out);
-  else check_weakly_compressible_keys(unused);
+  else check_weakly_compressible_keys(s, unused);
   check_iteration_keys(s, unused);
   if (s.solver.name != SolverName::delta_sph)
     for (const char* key : {"density_diffusion", "delta"})
       out.unused(fmt::format("solver.{}", key), fmt::format("solver.{}", key),
                  "only delta_sph diffuses density; remove it, or choose solver.name = "
                  "\"delta_sph\"");
-  else if (s.solver.density_diffusion == DensityDiffusion::none)
+  else if (s.density_diffusion() == DensityDiffusion::none)
     out.unused("solver.delta", "solver.delta", "solver.density_diffusion is \"none\"; remove it");
   const bool article = mueller && s.solver.scheme == Scheme::article;
   if (article) {

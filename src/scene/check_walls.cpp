@@ -50,6 +50,25 @@ void check_surface_keys(bool reflects, bool slips, const std::string& at, const 
                "it or choose one");
 }
 
+/// A surface that slides along itself.
+void check_velocity(const Scene& s, std::size_t k, const std::string& at, Findings& out) {
+  const Scene::Wall& w = s.wall[k];
+  if (w.velocity.empty()) return;
+  if (s.wall_method(k) != WallMethod::adami2012)
+    out.error(at + "velocity", fmt::format("wall.velocity is for \"adami2012\", and wall.method is "
+                                           "\"{}\"; choose that, or move a [[body]]",
+                                           word_of(s.wall_method(k))));
+  else if (w.slip == Slip::free_slip)
+    out.error(at + "velocity",
+              "wall.velocity takes the fluid along, and wall.slip is "
+              "\"free_slip\"; remove one of them");
+  else if (s.viscosity_method() == ViscosityMethod::weiler2018)
+    out.error(at + "velocity",
+              "solver.viscosity_method = \"weiler2018\" takes walls of "
+              "\"adami2012\" to be at rest; choose \"morris1997\" or "
+              "\"monaghan2005\", or remove wall.velocity");
+}
+
 /// The methods that hold where each wall stands.
 bool check_method_of(const Scene& s, std::size_t k, const std::string& at, Findings& out) {
   const Scene::Wall& w = s.wall[k];
@@ -132,6 +151,7 @@ bool check_wall(const Scene& s, std::size_t k, Findings& out) {
   }
   const WallMethod m = s.wall_method(k);
   check_surface_keys(m == WallMethod::reflection, has_slip(m), at, "wall", out);
+  check_velocity(s, k, at, out);
   const bool good = check_method_of(s, k, at, out);
   if (!check_region(s, {w, at, "wall"}, out) || !check_thickness(s, k, at, out)) return false;
   return (w.shape != Shape::points || check_points(s, {w, at, "wall"}, out)) && good;

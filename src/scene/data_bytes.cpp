@@ -38,10 +38,15 @@ Cost cost_of(DataFormat format, const Scene& s, double particles) {
 }  // namespace
 
 double data_bytes(const Scene& scene, double particles) {
+  const bool liquids = scene.liquids().size() > 1;
   double all = 0;
   for (const DataFormat format : scene.output.data) {
     const Cost cost = cost_of(format, scene, particles);
-    all += cost.particle * particles + cost.file;
+    const double liquid = !liquids                     ? 0
+                          : format == DataFormat::csv  ? 2
+                          : format == DataFormat::hdf5 ? 8
+                                                       : 4;
+    all += (cost.particle + liquid) * particles + cost.file;
   }
   return all;
 }

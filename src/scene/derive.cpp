@@ -10,6 +10,7 @@
 #include "kernels/wendland.h"
 #include "scene/check.h"
 #include "scene/data_bytes.h"
+#include "scene/openings.h"
 #include "scene/schedule.h"
 #include "scene/setup.h"
 
@@ -89,16 +90,43 @@ double fastest_fall2(const Scene& s) {
   return 2 * gravity * height;
 }
 
+void derive_liquids(const Scene& s, Derived& d) {
+  const auto liquids = s.liquids();
+  double lightest = std::numeric_limits<double>::infinity();
+  for (const Scene::Liquid& l : liquids) {
+    d.rest_density = std::max(d.rest_density, l.rest_density);
+    lightest = std::min(lightest, l.rest_density);
+  }
+  d.lightness = d.rest_density / lightest;
+  for (const Scene::Liquid& l : liquids)
+    d.viscosity = std::max(d.viscosity, l.viscosity * (d.rest_density / l.rest_density));
+}
+
+/// Of the viscosities that act explicitly.
+double viscous_step(const Scene& s, const Derived& d, double h) {
+  const ViscosityMethod method = s.viscosity_method();
+  double nu = method == ViscosityMethod::monaghan2005 || method == ViscosityMethod::morris1997
+                  ? d.viscosity / d.rest_density
+                  : 0;
+  // what Monaghan's term amounts to [Monaghan 2005, sec. 3.2]: nu = alpha h c/(2 (D + 2))
+  if (s.solver.name != SolverName::mueller2003 && !s.solver.incompressible())
+    nu = std::max(
+        nu, artificial_viscosity(s) * h * d.sound_speed * d.lightness / (2 * (s.dimension() + 2)));
+  return 0.125 * h * h / nu;
+}
+
 void derive_steps(const Scene& s, Derived& d) {
   const double h = d.support_radius / 2;
-  d.acoustic_step = 0.4 * h / d.sound_speed;
+  d.acoustic_step = 0.4 * h / (d.sound_speed * std::sqrt(d.lightness));
   d.force_step = 0.25 * std::sqrt(h / norm_of(s.domain.gravity));
-  d.viscous_step = 0.125 * h * h * d.rest_density / d.viscosity;
+  d.viscous_step = viscous_step(s, d, h);
   d.flow_step = std::numeric_limits<double>::infinity();
-  if (s.solver.name == SolverName::mueller2003 || s.solver.incompressible()) return;
-  // what Monaghan's term amounts to [Monaghan 2005, sec. 3.2]: nu = alpha h c/(2 (D + 2))
-  const double nu = s.solver.artificial_viscosity * h * d.sound_speed / (2 * (s.dimension() + 2));
-  d.viscous_step = 0.125 * h * h / nu;
+  d.capillary_step = d.flow_step;
+  if (s.solver.surface_tension_method != SurfaceTensionMethod::none)
+    for (const Scene::Fluid& f : s.fluid)
+      d.capillary_step = std::min(
+          d.capillary_step,
+          0.25 * std::sqrt(f.rest_density * h * h * h / (2 * double(pi) * *f.surface_tension)));
 }
 
 /// The fastest at the start [m/s].
@@ -146,29 +174,41 @@ Derived derive(const Scene& scene) {
   const Sample start = sample(s);
   Derived d{};
   d.particles = double(start.density.size());
+  const InflowEstimate inflow = estimate_inflow(s);
+  d.particles += inflow.at_start;
+  d.most_particles = d.particles + inflow.later;
+  for (const Scene::Inlet& in : s.inlet) {
+    const InletPlan plan = inlet_plan(s, in);
+    d.inlets.push_back(
+        {s.flow_names()[d.inlets.size()], double(plan.particles()), plan.speed, plan.rate});
+  }
+  if (!s.inlet.empty())
+    d.most_particles = std::max(d.particles, std::min(d.most_particles, room_in_domain(s)));
   d.outside = start.outside;
   d.left_out = start.left_out;
   for (const WallSample* w : {&start.akinci2012, &start.adami2012, &start.monaghan2009})
     d.wall_particles += std::int64_t(w->wall.size());
+  d.wall_particles += std::int64_t(start.bodies.body.size());
   const Schedule schedule(s);
   d.frames = schedule.frames();
   d.data_frames = schedule.data_frames();
-  d.data_bytes = double(d.data_frames) * data_bytes(s, d.particles);
+  d.data_bytes = double(d.data_frames) * data_bytes(s, d.most_particles);
   d.spacing = s.particles.spacing;
   d.support_radius = support_radius(s);
-  d.rest_density = s.fluid.at(0).rest_density;
-  d.viscosity = s.fluid[0].viscosity;
+  derive_liquids(s, d);
   if (s.dimension() == 2) derive_lattice<2>(s, d);
   else derive_lattice<3>(s, d);
   d.stiffness = stiffness(s);
   d.sound_speed = sound_speed(s);
   derive_steps(s, d);
-  if (s.solver.incompressible()) derive_flow(s, fastest_start(start, s.dimension()), d);
+  double fastest = fastest_start(start, s.dimension());
+  for (const DerivedInlet& in : d.inlets) fastest = std::max(fastest, in.speed);
+  if (s.solver.incompressible()) derive_flow(s, fastest, d);
   return d;
 }
 
 double Derived::step_bound() const {
-  return std::min({acoustic_step, force_step, viscous_step, flow_step});
+  return std::min({acoustic_step, force_step, viscous_step, flow_step, capillary_step});
 }
 
 const char* Derived::step_bound_name() const {
@@ -176,7 +216,8 @@ const char* Derived::step_bound_name() const {
   return bound == force_step      ? "gravity"
          : bound == viscous_step  ? "viscosity"
          : bound == acoustic_step ? "speed of sound"
-                                  : "flow";
+         : bound == flow_step     ? "flow"
+                                  : "surface tension";
 }
 
 }  // namespace freshet

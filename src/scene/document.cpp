@@ -154,9 +154,11 @@ class MarkdownWriter final : public Describer {
   void sections(std::string_view name, std::string_view text,
                 const std::function<void(std::size_t)>& resize,
                 const std::function<void(std::size_t)>& keys) override {
-    heading(fmt::format("[{}]", name), text);
+    heading(fmt::format("[{}{}]", outer_, name), text);
+    const std::string before = std::exchange(outer_, fmt::format("{}{}.", outer_, name));
     resize(1);
     keys(0);
+    outer_ = before;
   }
   void heading(std::string_view title, std::string_view text) {
     out += fmt::format(
@@ -166,6 +168,7 @@ class MarkdownWriter final : public Describer {
   }
 
  private:
+  std::string outer_;  // of tables in tables
   std::string range(const KeyDoc& doc) const {
     std::string text;
     if (!words_.empty()) text = fmt::format("`{}`", fmt::join(words_, "`, `"));

@@ -49,6 +49,7 @@ void check_particles(const Scene& scene, Findings& out);
 void check_method(const Scene& scene, Findings& out);
 void check_gravity(const Scene& scene, Findings& out);
 void check_body_force(const Scene& scene, Findings& out);
+void check_forces(const Scene& scene, Findings& out);  ///< beside pressure
 void check_scheme(const Scene& scene, Findings& out);
 void check_time(const Scene& scene, Findings& out);
 void check_output(const Scene& scene, Findings& out);
@@ -58,11 +59,16 @@ bool check_region(const Scene& scene, const RegionAt& at, Findings& out);
 std::optional<PointCloud> check_points(const Scene& scene, const RegionAt& at, Findings& out);
 /// False where the mesh of a region's file is none, or not one to be used so.
 bool check_mesh(const Scene& scene, const RegionAt& at, Findings& out);
-void check_fluids(const Scene& scene, bool walls_are_good, Findings& out);
+void check_fluids(const Scene& scene, bool walls_are_good, bool bodies_are_good, Findings& out);
 /// False where a wall's shape or method is not one that samples can be taken of.
 bool check_walls(const Scene& scene, Findings& out);
 void check_sides(const Scene& scene, Findings& out);
+/// Inlets, outlets and counters. False where an inlet is not one that fluids can be looked at with.
+bool check_flows(const Scene& scene, bool walls_are_good, Findings& out);
+/// False where a body is not one that samples can be taken of.
+bool check_bodies(const Scene& scene, Findings& out);
 
+void check_probes(const Scene& scene, Findings& out);
 void check_picture(const Scene& scene, Findings& out);
 void check_camera(const Scene& scene, Findings& out);
 

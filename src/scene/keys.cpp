@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "scene/keys.h"
 
+#include "scene/keys_bodies.h"
+#include "scene/keys_forces.h"
+#include "scene/keys_inlets.h"
 #include "scene/keys_output.h"
 
 namespace freshet {
-namespace {
 
-/// Where a fluid or a wall stands.
 void region_keys(KeyVisitor& v, Scene::Region& r, Words shapes, const KeyDoc& shape,
                  const KeyDoc& side) {
   v.choice("shape", r.shape, shapes, shape);
@@ -32,6 +33,9 @@ void region_keys(KeyVisitor& v, Scene::Region& r, Words shapes, const KeyDoc& sh
            {.unit = "",
             .text = "of a plane; `inside` is where it does not point; its length does not matter",
             .fallback = "none"});
+}
+
+void file_keys(KeyVisitor& v, Scene::Region& r) {
   v.text("file", r.file,
          {.unit = "",
           .text = "the points: `*.ply` (vertices with x, y, z and perhaps vx, vy, vz), `*.vtp` "
@@ -53,6 +57,8 @@ void region_keys(KeyVisitor& v, Scene::Region& r, Words shapes, const KeyDoc& sh
            {.unit = "m", .text = "of a mesh, after turning", .fallback = "none"});
 }
 
+namespace {
+
 void fluid_keys(KeyVisitor& v, Scene::Fluid& f) {
   region_keys(
       v, f, shape_words,
@@ -65,6 +71,7 @@ void fluid_keys(KeyVisitor& v, Scene::Fluid& f) {
       {.unit = "",
        .text = "`inside` of the shape, or the domain `outside` of it; what walls take up "
                "is left out either way"});
+  file_keys(v, f);
   v.vector("from", f.from,
            {.unit = "m", .text = "first particle of a lattice", .fallback = "none"});
   v.counts("count", f.count,
@@ -74,13 +81,23 @@ void fluid_keys(KeyVisitor& v, Scene::Fluid& f) {
             .fallback = "none"});
   v.vector("velocity", f.velocity,
            {.unit = "m/s", .text = "velocity at the start", .fallback = "at rest"});
+  v.texts("velocity_field", f.velocity_field,
+          {.unit = "m/s",
+           .text = "velocity at the start instead, a function of x, y, z [m] for each axis: "
+                   "`[\"sin(pi*x)\", \"0\"]`",
+           .fallback = "none"});
   v.number(
       "rest_density", f.rest_density,
       {.unit = density_unit, .text = "density at zero pressure (ρ0)", .min = 0, .above = true});
   v.number("viscosity", f.viscosity,
            {.unit = "Pa s",
-            .text = "dynamic viscosity (μ); `mueller2003` and the pressure solvers",
+            .text = "dynamic viscosity (μ); not with solver.viscosity_method `artificial`",
             .min = 0});
+  v.text("color", f.color,
+         {.unit = "",
+          .text = "`#rrggbb`, where picture.color_by is `liquid`",
+          .fallback = "blue, amber, green and so on"});
+  fluid_force_keys(v, f);
   v.choice("pressure", f.pressure, pressure_words,
            {.unit = "",
             .text = "at the start: `zero`, every particle at rest density; `hydrostatic`, as the "
@@ -114,12 +131,17 @@ void wall_keys(KeyVisitor& v, Scene::Wall& w) {
        .text = "`box`, `sphere` (in 2D a disc), `cylinder` (3D), `plane`, the `mesh` of a file "
                "(3D; one with holes is a sheet), or its `points`"},
       {.unit = "", .text = "where the fluid is: `outside` of an obstacle, `inside` of a tank"});
+  file_keys(v, w);
   v.choice("method", w.method, method_words,
            {.unit = "",
             .text = "how it holds the fluid: see [walls]; `ghost` for a plane and the inside of a "
                     "box, `monaghan2009`, `akinci2012` or `adami2012` for points",
             .fallback = "`reflection` for `mueller2003`, else `akinci2012`"});
   wall_surface_keys(v, w.slip, w.restitution);
+  v.vector("velocity", w.velocity,
+           {.unit = "m/s",
+            .text = "of its surface, which slides along itself as a belt does (`adami2012`)",
+            .fallback = "at rest"});
 }
 
 void walls_keys(KeyVisitor& v, Scene::Walls& w) {
@@ -223,10 +245,20 @@ void solver_keys(KeyVisitor& v, Scene::Solver& s) {
             .above = true,
             .fallback = "10 · √(2 g · height of the domain)"});
   v.number("artificial_viscosity", s.artificial_viscosity,
-           {.unit = "", .text = "α of Monaghan's term; `wcsph` and `delta_sph`", .min = 0});
+           {.unit = "",
+            .text = "α of Monaghan's term; `wcsph` and `delta_sph`",
+            .min = 0,
+            .fallback = "0.05; 0 where solver.viscosity_method is another than `artificial`"});
   v.choice("density_diffusion", s.density_diffusion, diffusion_words,
-           {.unit = "", .text = "the term of `delta_sph`, named after its paper"});
+           {.unit = "",
+            .text = "the term of `delta_sph`, named after its paper",
+            .fallback = "`fourtakas2019`; `antuono2010` for several liquids"});
   v.number("delta", s.delta, {.unit = "", .text = "δ, its strength; `delta_sph` only", .min = 0});
+  v.number("background_pressure", s.background_pressure,
+           {.unit = "Pa",
+            .text = "added to the pressure, so that it is positive everywhere in a flow that fills "
+                    "its space; `wcsph` and `delta_sph`",
+            .min = 0});
   v.number("speed_limit", s.speed_limit,
            {.unit = "m/s",
             .text = "faster particles are slowed to it (scheme `article` only)",
@@ -234,6 +266,27 @@ void solver_keys(KeyVisitor& v, Scene::Solver& s) {
             .above = true,
             .fallback = "none"});
   pressure_keys(v, s);
+  solver_force_keys(v, s);
+}
+
+void probe_keys(KeyVisitor& v, Scene::Probe& p) {
+  v.text("name", p.name, {.unit = "", .text = "of its table", .fallback = "probe_k"});
+  v.choice("kind", p.kind, probe_words,
+           {.unit = "",
+            .text = "`point`: the share of fluid, velocity, density and pressure `at` a place; "
+                    "`line`: at `count` places; `surface`: how far along a line the fluid reaches, "
+                    "which upwards is the water's height and along the floor its front"});
+  v.vector("at", p.at, {.unit = "m", .text = "place of a point", .fallback = "none"});
+  v.vector("from", p.from, {.unit = "m", .text = "where a line begins", .fallback = "none"});
+  v.vector("to", p.to, {.unit = "m", .text = "where it ends", .fallback = "none"});
+  v.integer("count", p.count,
+            {.unit = "", .text = "places of a line, its ends included", .min = 2, .max = 1e6});
+  v.number("every", p.every,
+           {.unit = "s",
+            .text = "how often: after the first step at or after each such time",
+            .min = 0,
+            .above = true,
+            .fallback = "as the observables"});
 }
 
 }  // namespace
@@ -289,7 +342,29 @@ void visit_keys(KeyVisitor& v, Scene& s) {
            [&](Scene::Fluid& f) { fluid_keys(v, f); });
   v.tables("wall", "An obstacle or a tank: `[wall]` for one, `[[wall]]` for several.", s.wall,
            [&](Scene::Wall& w) { wall_keys(v, w); });
+  v.tables("inlet", "Where liquid comes in: `[inlet]` for one, `[[inlet]]` for several.", s.inlet,
+           [&](Scene::Inlet& in) { inlet_keys(v, in); });
+  v.tables("outlet", "Where liquid leaves: `[outlet]` for one, `[[outlet]]` for several.", s.outlet,
+           [&](Scene::Outlet& out) {
+             outlet_keys(v, out);
+             region_keys(
+                 v, out, Words(shape_words).first(4),
+                 {.unit = "",
+                  .text = "`box`, `sphere` (in 2D a disc), `cylinder` (3D) or `plane`; a "
+                          "particle that is in it after a step is taken away"},
+                 {.unit = "", .text = "`inside` of the shape, or the domain `outside` of it"});
+           });
+  v.tables("counter",
+           "Counts what goes through a piece of a plane, or the whole plane: `[counter]` for one, "
+           "`[[counter]]` for several.",
+           s.counter, [&](Scene::Counter& c) { counter_keys(v, c); });
+  v.tables("probe",
+           "Where the fluid is asked while it flows: `[probe]` for one, `[[probe]]` for several; "
+           "each fills probes/NAME.csv.",
+           s.probe, [&](Scene::Probe& p) { probe_keys(v, p); });
+  body_keys(v, s);
   v.section("solver", "The method and what computes it.", [&] { solver_keys(v, s.solver); });
+  v.section("air", "What the liquid flies through.", [&] { air_keys(v, s.air); });
   v.section("walls", "The sides of the domain.", [&] { walls_keys(v, s.walls); });
   v.section("time", "How long, and in what steps.", [&] {
     v.number("end", s.time.end,

@@ -41,6 +41,12 @@ inline constexpr const char* backend_words[] = {"cpu", "reference"};
 inline constexpr const char* search_words[] = {"grid", "all_pairs"};
 inline constexpr const char* order_words[] = {"cell", "id"};
 inline constexpr const char* iteration_words[] = {"jacobi", "nesterov"};
+inline constexpr const char* viscosity_words[] = {"artificial", "monaghan2005", "morris1997",
+                                                  "weiler2018"};
+inline constexpr const char* tension_words[] = {"none", "akinci2013"};
+inline constexpr const char* shifting_words[] = {"none", "sun2017"};
+inline constexpr const char* vorticity_words[] = {"none", "bender2017"};
+inline constexpr const char* drag_words[] = {"none", "gissler2017"};
 inline constexpr const char* wrong_words[] = {"stop", "warn"};
 inline constexpr const char* method_words[] = {"open",  "reflection", "monaghan2009",
                                                "ghost", "akinci2012", "adami2012"};
@@ -49,11 +55,14 @@ inline constexpr const char* data_words[] = {"vtp", "ply", "csv", "hdf5"};
 inline constexpr const char* field_words[] = {"velocity", "density", "pressure", "id"};
 inline constexpr const char* precision_words[] = {"float32", "float16"};
 inline constexpr const char* dots_words[] = {"glow", "solid"};
-inline constexpr const char* color_by_words[] = {"speed",      "velocity_x", "velocity_y",
-                                                 "velocity_z", "density",    "density_error",
-                                                 "pressure",   "height",     "id"};
+inline constexpr const char* probe_words[] = {"point", "line", "surface"};
+inline constexpr const char* color_by_words[] = {
+    "speed",         "velocity_x", "velocity_y", "velocity_z", "density",
+    "density_error", "pressure",   "height",     "id",         "liquid"};
 inline constexpr const char* color_map_words[] = {"article", "water", "viridis", "inferno",
                                                   "coolwarm"};
+inline constexpr const char* motion_words[] = {"fixed", "moved", "free"};
+inline constexpr const char* interpolation_words[] = {"smooth", "linear"};
 inline constexpr const char* integrator_words[] = {"symplectic_euler", "leapfrog", "verlet"};
 
 /// Someone who walks the table: each call is a key, with the member of the scene that it fills.
@@ -69,8 +78,7 @@ class KeyVisitor {
                         const std::function<void(std::size_t)>& keys) = 0;
   virtual void text(std::string_view name, std::string& value, const KeyDoc& doc) = 0;
   /// A text for each axis; `value` stays empty while there are none.
-  virtual void texts(std::string_view name, std::vector<std::string>& value,
-                     const KeyDoc& doc) = 0;
+  virtual void texts(std::string_view name, std::vector<std::string>& value, const KeyDoc& doc) = 0;
   virtual void number(std::string_view name, double& value, const KeyDoc& doc) = 0;
   virtual void number(std::string_view name, std::optional<double>& value, const KeyDoc& doc) = 0;
   virtual void integer(std::string_view name, std::int64_t& value, const KeyDoc& doc) = 0;

@@ -69,9 +69,10 @@ void picture_keys(KeyVisitor& v, Scene& s) {
               {.unit = "m",
                .text = "what is seen in 2D: x_min, y_min, x_max, y_max",
                .fallback = "the domain"});
-    v.choice(
-        "color_by", p.color_by, color_by_words,
-        {.unit = "", .text = "what the colours tell; `density_error` is ρ/ρ0 − 1, `height` is y"});
+    v.choice("color_by", p.color_by, color_by_words,
+             {.unit = "",
+              .text = "what the colours tell; `density_error` is ρ/ρ0 − 1, `height` is y, `liquid` "
+                      "has a colour each"});
     v.choice("color_map", p.color_map, color_map_words,
              {.unit = "",
               .text = "the colours from the least value to the greatest",

@@ -123,6 +123,10 @@ void find_files(Scene& scene, const std::string& name) {
   };
   for (Scene::Fluid& f : scene.fluid) find(f);
   for (Scene::Wall& w : scene.wall) find(w);
+  for (Scene::Body& b : scene.body) {
+    find(b);
+    if (!b.path.empty()) b.path = (folder / b.path).lexically_normal().string();
+  }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <sstream>
 
@@ -59,7 +60,11 @@ toml::table& enter(toml::table& table, const std::string& key, const std::string
   if (!node.is_table()) fail(key, fmt::format("{} is a value, not a table of keys", name));
   if (count > 0) fail(key, fmt::format("there is no {}[{}]; the scene has 1", name, count));
   // the one [fluid] is fluid[0], as the reader of the scene counts it
-  path += name == "fluid" || name == "wall" || name == "camera" ? "[0]." : ".";
+  static constexpr const char* several[] = {"fluid",  "wall",  "inlet", "outlet", "counter",
+                                            "camera", "probe", "body",  "joint"};
+  const bool one_of_them =
+      std::find(std::begin(several), std::end(several), name) != std::end(several);
+  path += one_of_them ? "[0]." : ".";
   return *node.as_table();
 }
 

@@ -119,6 +119,8 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
     if (w.shape != Shape::points) walls_.emplace_back(w);
     else
       for (const Vec<D>& x : vectors<D>(read_points(w.file, D).x)) wall_points_.add(to_double(x));
+  for (const Scene::Inlet& in : s.inlet) zones_.emplace_back(s, in);
+  for (const Scene::Body& b : s.body) walls_.emplace_back(b);
   if (f.shape != Shape::points) return;
   const PointCloud cloud = read_points(f.file, D);
   points_ = vectors<D>(cloud.x);
@@ -131,6 +133,8 @@ template <int D> bool Places<D>::in_wall(Vec<D> x) const {
     if (const double at = component(x, int(k));
         at - low_[k] < 0.49 * spacing_ || high_[k] - at < 0.49 * spacing_)
       return true;
+  for (const auto& zone : zones_)
+    if (zone.holds(to_double(x), 0.49 * spacing_)) return true;
   for (const auto& wall : walls_)
     for (const auto& shift : shifts_)
       if (wall.distance(to_double(x) + shift) < 0.49 * spacing_) return true;

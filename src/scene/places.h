@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "scene/openings.h"
 #include "scene/point_grid.h"
 #include "scene/region_surface.h"
 #include "scene/setup.h"
@@ -74,6 +75,7 @@ template <int D> class Places {
   std::optional<RegionSurface<D>> shape_;  // none: every place is inside
   std::vector<RegionSurface<D>> walls_;
   std::vector<Vec<D, double>> shifts_;
+  std::vector<InletZone<D>> zones_;  // that inlets fill
   Vector low_, high_;  // of the domain, where its sides hold the fluid
   PointGrid<D> wall_points_;
 };

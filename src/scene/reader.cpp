@@ -188,14 +188,14 @@ void SceneReader::sections(std::string_view name, std::string_view,
   else if (const auto* many = node->as_array(); many && many->is_homogeneous<toml::table>())
     for (const toml::node& t : *many) tables.push_back(t.as_table());
   else
-    reject(node->source(), std::string(name),
-           fmt::format("{} is {}; it must be a table, [{}], or several, [[{}]]", name, found(*node),
-                       name, name));
+    reject(node->source(), scope_.path + std::string(name),
+           fmt::format("{0}{1} is {2}; it must be a table, [{0}{1}], or several, [[{0}{1}]]",
+                       scope_.name, name, found(*node)));
   resize(tables.size());
   for (std::size_t k = 0; k < tables.size(); ++k) {
-    const std::string path = fmt::format("{}[{}]", name, k);
+    const std::string path = fmt::format("{}{}[{}]", scope_.path, name, k);
     places_[path] = place_of(tables[k]->source(), path);
-    read_table(*tables[k], path + ".", fmt::format("{}.", name), [&] { keys(k); });
+    read_table(*tables[k], path + ".", fmt::format("{}{}.", scope_.name, name), [&] { keys(k); });
   }
 }
 

@@ -26,7 +26,8 @@ void refine(const Scene::Fluid& f, const std::string& at, double spacing, double
 }  // namespace
 
 std::vector<Override> at_resolution(const Scene& s, double particles) {
-  const double ratio = derive(s).particles / particles;
+  const Derived d = derive(s);
+  const double ratio = (s.inlet.empty() ? d.particles : d.most_particles) / particles;
   const double factor = s.dimension() == 3 ? std::cbrt(ratio) : std::sqrt(ratio);
   std::vector<Override> all{{"particles.spacing", number(s.particles.spacing * factor)},
                             {"particles.jitter", number(s.particles.jitter * factor)}};

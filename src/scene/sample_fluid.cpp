@@ -1,86 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <random>
 
+#include "scene/expressions.h"
+#include "scene/hydrostatic.h"
 #include "scene/places.h"
+#include "scene/sample_bodies.h"
 #include "scene/sample_walls.h"
 
 namespace freshet {
 namespace {
-
-/// A column of fluid under its own weight: where its layers come to rest, and how dense.
-/// With the pressure rho0 g s below a depth s of material (so much of it if it were uncompressed):
-///   mueller2003        rho/rho0 = 1 + g s/k
-///   wcsph, delta_sph   rho/rho0 = (1 + 7 g s/c²)^(1/7)   [Tait's equation]
-///   pcisph, iisph, dfsph, pbf   rho = rho0
-/// A layer stands above the bottom by the integral of rho0/rho ds up to it.
-class HydrostaticColumn {
- public:
-  HydrostaticColumn(const Scene& s, double gravity, double height)
-      : rigid_(s.solver.incompressible()),
-        tait_(s.solver.name != SolverName::mueller2003),
-        per_depth_(rigid_ ? 0 : (tait_ ? 7 : 1) * gravity / stiffness(s)),
-        gravity_(gravity),
-        height_(height) {}
-
-  /// Over the rest density [m²/s²].
-  double pressure(double depth) const { return gravity_ * depth; }
-  double compression(double depth) const {
-    const double q = 1 + per_depth_ * depth;
-    return tait_ ? std::pow(q, 1.0 / 7) : q;
-  }
-  double height_above_bottom(double depth) const {
-    if (rigid_) return height_ - depth;
-    const double q = 1 + per_depth_ * depth, q_bottom = 1 + per_depth_ * height_;
-    if (!tait_) return std::log(q_bottom / q) / per_depth_;
-    return 7 / (6 * per_depth_) * (std::pow(q_bottom, 6.0 / 7) - std::pow(q, 6.0 / 7));
-  }
-
- private:
-  bool rigid_, tait_;
-  double per_depth_, gravity_, height_;
-};
-
-/// Lets the places of a fluid sink into equilibrium.
-template <int D> class Hydrostatic {
- public:
-  /// `places` are those of the uncompressed lattice.
-  Hydrostatic(const Scene& s, const std::vector<Vec<D>>& places)
-      : down_(unit_of<D>(s.domain.gravity)),
-        top_(extreme(places, 1) - s.particles.spacing / 2),
-        height_(extreme(places, -1) + s.particles.spacing / 2 - top_),
-        column_(s, norm(vec_of<D>(s.domain.gravity)), height_) {}
-
-  /// Over the rest density: how dense the fluid is at a place, and its pressure [m²/s²].
-  struct State {
-    double compression, pressure;
-  };
-  /// Moves x to where its layer comes to rest; the bottom stays where it is.
-  State settle(Vec<D>& x) const {
-    const double depth = std::clamp(depth_of(x) - top_, 0.0, height_);
-    const double sinks = height_ - depth - column_.height_above_bottom(depth);
-    for (int k = 0; k < D; ++k) {
-      auto step = sinks * down_;
-      component(x, k) += Real(component(step, k));
-    }
-    return {column_.compression(depth), column_.pressure(depth)};
-  }
-
- private:
-  double depth_of(Vec<D> x) const { return dot(to_double(x), down_); }
-  /// The least depth (sign 1) or the greatest (sign -1).
-  double extreme(const std::vector<Vec<D>>& places, double sign) const {
-    double least = INFINITY;
-    for (const Vec<D>& x : places) least = std::min(least, sign * depth_of(x));
-    return sign * least;
-  }
-
-  Vec<D, double> down_;
-  double top_, height_;
-  HydrostaticColumn column_;
-};
 
 template <int D> class FluidSampler {
  public:
@@ -90,11 +19,15 @@ template <int D> class FluidSampler {
         generator_(static_cast<std::mt19937::result_type>(s.particles.seed)),
         offset_(-jitter_, jitter_),
         tells_pressure_(s.solver.incompressible() &&
-                        std::any_of(s.fluid.begin(), s.fluid.end(), [](const Scene::Fluid& f) {
-                          return f.pressure == StartPressure::hydrostatic;
-                        })) {}
+                        std::any_of(s.fluid.begin(), s.fluid.end(),
+                                    [](const Scene::Fluid& f) {
+                                      return f.pressure == StartPressure::hydrostatic;
+                                    })),
+        several_liquids_(s.liquids().size() > 1),
+        weight_(s) {}
 
-  void add(const Scene::Fluid& f, Sample& all) {
+  void add(std::size_t number, Sample& all) {
+    const Scene::Fluid& f = s_.fluid[number];
     const Places<D> places(s_, f);
     const Vec<D> velocity = vec_of<D, Real>(f.velocity);
     std::vector<Vec<D>> x;
@@ -103,22 +36,30 @@ template <int D> class FluidSampler {
       append(all.v, places.velocities().empty() ? velocity : places.velocities()[i]);
       return true;
     });
-    std::optional<Hydrostatic<D>> weight;
-    if (f.pressure == StartPressure::hydrostatic) weight.emplace(s_, x);
-    for (Vec<D>& a : x) {
+    Expressions field(f.velocity_field);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      Vec<D>& a = x[i];
       shake(a);
-      const auto [compression, pressure] =
-          weight ? weight->settle(a) : typename Hydrostatic<D>::State{1, 0};
+      const auto [compression, pressure] = weight_.settle(number, a);
       all.density.push_back(Real(f.rest_density * compression));
-      if (tells_pressure_) all.pressure.push_back(Real(f.rest_density * pressure));
+      if (tells_pressure_) all.pressure.push_back(Real(pressure));
       all.outside += is_outside(a);
+      if (!field.empty()) replace(all.v, all.v.size() - (x.size() - i) * D, field, a);
       append(all.x, a);
     }
+    if (several_liquids_) all.liquid.resize(all.density.size(), s_.liquid_of(number));
   }
 
  private:
   static void append(std::vector<Real>& to, Vec<D> a) {
     for (int k = 0; k < D; ++k) to.push_back(component(a, k));
+  }
+  /// D numbers at a place, by the functions of x.
+  static void replace(std::vector<Real>& v, std::size_t place, Expressions& field, Vec<D> x) {
+    double at[3] = {}, value[3];
+    for (int k = 0; k < D; ++k) at[k] = double(component(x, k));
+    field(at, 0, value);
+    for (std::size_t k = 0; k < D; ++k) v[place + k] = Real(value[k]);
   }
   /// The last axis is drawn first, as g++ evaluates the article's arguments.
   void shake(Vec<D>& x) {
@@ -137,14 +78,16 @@ template <int D> class FluidSampler {
   float jitter_;
   std::mt19937 generator_;
   std::uniform_real_distribution<float> offset_;
-  bool tells_pressure_;
+  bool tells_pressure_, several_liquids_;
+  Hydrostatic<D> weight_;
 };
 
 template <int D> Sample sample_in(const Scene& s) {
   Sample all;
   FluidSampler<D> sampler(s);
-  for (const Scene::Fluid& f : s.fluid) sampler.add(f, all);
+  for (std::size_t k = 0; k < s.fluid.size(); ++k) sampler.add(k, all);
   sample_walls<D>(s, all);
+  sample_bodies<D>(s, all);
   return all;
 }
 

@@ -83,7 +83,7 @@ template <int D> void sample_sides(const Scene& s, Sample& all) {
       if (!s.periodic(k) && c[j] < 0) component(x, k) -= deeper;
       if (!s.periodic(k) && c[j] >= lattice.n[j]) component(x, k) += deeper;
     }
-    append(sample_of(all, s.side_method(side)), x, image ? -1 : side);
+    append(sample_of(all, s.side_method(side)), x, image ? -1 - side : side);
   });
 }
 
@@ -162,7 +162,8 @@ template <int D> void sample_wall(const Scene& s, std::size_t wall, Sample& all)
       for (int k = 0; k < D; ++k)
         image |= s.periodic(k) &&
                  (component(x, k) < component(low, k) || component(x, k) >= component(high, k));
-      append(to, x, image ? -1 : std::int32_t(2 * D + int(wall)));
+      const auto number = std::int32_t(2 * D + int(wall));
+      append(to, x, image ? -1 - number : number);
     }
 }
 
@@ -175,8 +176,9 @@ double shell(const Vector& cells, double layers) {
   return all - inside;
 }
 
-/// At least as many as a wall's shape has samples, in units of layers and spacings.
-double most_samples(const Scene& s, const Scene::Wall& w, double layers) {
+}  // namespace
+
+double most_samples(const Scene& s, const Scene::Region& w, double layers) {
   const double spacing = s.particles.spacing, r = w.radius / spacing + layers + 2;
   const double l = w.length / spacing + 2 * layers + 2, pi = std::numbers::pi;
   Vector sides;
@@ -193,8 +195,6 @@ double most_samples(const Scene& s, const Scene::Wall& w, double layers) {
       sides.push_back((s.domain.max[k] - s.domain.min[k]) / spacing + 2 * layers + 2);
   return shell(sides, layers);
 }
-
-}  // namespace
 
 int wall_layers(const Scene& s, WallMethod method) {
   if (method == WallMethod::adami2012)

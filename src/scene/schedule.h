@@ -63,6 +63,7 @@ class Schedule {
       : frame_(every(s, s.output.frame_every_steps, s.output.frame_every, 10)),
         observe_(every(s, s.output.observables_every_steps, s.output.observables_every, 100)),
         data_(data_of(s)),
+        probes_(probes_of(s)),
         checkpoint_(
             s.output.checkpoint_every_steps || s.output.checkpoint_every
                 ? std::optional<Every>({s.output.checkpoint_every_steps, s.output.checkpoint_every})
@@ -72,6 +73,8 @@ class Schedule {
 
   bool frame_after(const StepTaken& s) const { return frame_.due(s); }
   bool data_after(const StepTaken& s) const { return data_frames_ > 0 && data_.due(s); }
+  /// Whether the k-th probe looks.
+  bool probe_after(std::size_t k, const StepTaken& s) const { return probes_[k].due(s); }
   bool observe_after(const StepTaken& s) const { return observe_.due(s); }
   /// Whether a checkpoint is due by the scene; one that gives no rate leaves it to the clock.
   bool checkpoint_after(const StepTaken& s) const {
@@ -95,11 +98,20 @@ class Schedule {
     if (o.data_every_steps || o.data_every) return every(s, o.data_every_steps, o.data_every, 10);
     return every(s, o.frame_every_steps, o.frame_every, 10);
   }
+  static std::vector<Every> probes_of(const Scene& s) {
+    std::vector<Every> all;
+    for (const Scene::Probe& p : s.probe)
+      all.push_back(
+          p.every ? Every({}, p.every)
+                  : every(s, s.output.observables_every_steps, s.output.observables_every, 100));
+    return all;
+  }
   static std::int64_t times(const Scene& s, const Every& e) {
     return e.times(s.steps(), s.time.end, s.time.adaptive ? 0 : s.time.step);
   }
 
   Every frame_, observe_, data_;
+  std::vector<Every> probes_;
   std::optional<Every> checkpoint_;
   std::int64_t frames_, data_frames_;
 };

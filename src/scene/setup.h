@@ -27,6 +27,9 @@ double sound_speed(const Scene& scene);  ///< [m/s]
 /// Of the solvers that solve for the pressure: as given, or what suits the solver.
 double density_tolerance(const Scene& scene);  ///< of the mean of max(0, rho/rho0 - 1)
 
+/// alpha of Monaghan's term: as given; else 0.05 where it is the only viscosity, or 0.
+double artificial_viscosity(const Scene& scene);
+
 /// How far from a resting fluid the samples of akinci2012 stand [m], so that it has its rest
 /// density up to the wall: half a spacing of it is the fluid's.
 double single_layer_distance(const Scene& scene);
@@ -34,7 +37,13 @@ double single_layer_distance(const Scene& scene);
 /// The particles that a wall is sampled with, D numbers each.
 struct WallSample {
   std::vector<Real> x;
-  std::vector<std::int32_t> wall;  ///< place in Scene::wall_names(); -1: beyond a periodic end
+  std::vector<std::int32_t> wall;  ///< place w in Scene::wall_names(); -1 - w beyond a periodic end
+};
+
+/// The samples of all bodies where they stand at the start, D numbers each.
+struct BodySample {
+  std::vector<double> x;
+  std::vector<std::int32_t> body;  ///< place in Scene::body
 };
 
 /// Where the particles start, D numbers each; ids count from 0 in this order.
@@ -44,15 +53,19 @@ struct Sample {
   /// One a particle [Pa]: the weight above it where its fluid is hydrostatic, else 0. Empty if the
   /// density tells it, or no fluid asks for it.
   std::vector<Real> pressure;
-  std::int64_t outside = 0;   ///< how many start outside the domain
+  std::vector<int> liquid;   ///< one a particle: place in Scene::liquids(); empty if all are of one
+  std::int64_t outside = 0;  ///< how many start outside the domain
   std::int64_t left_out = 0;  ///< places of a fluid's lattice that a wall takes
   /// Layers beyond the surface: one for akinci2012, at its distance, and one for monaghan2009, half
   /// a spacing off; for adami2012, from half a spacing on, as many as the support reaches.
   WallSample akinci2012, adami2012, monaghan2009;
+  BodySample bodies;  ///< one layer beneath the surface, as akinci2012
 };
 Sample sample(const Scene& scene);
 
 /// At least as many samples as the walls of the scene get; costs nothing.
 double most_wall_samples(const Scene& scene);
+/// The same of its bodies, and their images beyond periodic ends.
+double most_body_samples(const Scene& scene);
 
 }  // namespace freshet

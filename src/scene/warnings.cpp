@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "freshet/derived.h"
+#include "scene/body_warnings.h"
 #include "scene/findings.h"
 #include "scene/loaded_mesh.h"
 #include "scene/setup.h"
@@ -20,8 +21,11 @@ class Warnings {
     room();
     periodic();
     step();
+    inlets();
     for (std::size_t k = 0; k < s_.fluid.size(); ++k) mesh("fluid", k, s_.fluid[k]);
     for (std::size_t k = 0; k < s_.wall.size(); ++k) mesh("wall", k, s_.wall[k]);
+    for (std::size_t k = 0; k < s_.body.size(); ++k) mesh("body", k, s_.body[k]);
+    for (Diagnostic& d : body_warnings(s_, d_)) list_.push_back(std::move(d));
     return std::move(list_);
   }
 
@@ -95,6 +99,25 @@ class Warnings {
            fmt::format("{} has holes ({} open edges, the first near [{:.4g}, {:.4g}, {:.4g}]): "
                        "it is a sheet without an inside, sampled on its surface",
                        region.file, c.open, c.open_at.x, c.open_at.y, c.open_at.z));
+  }
+  void inlets() {
+    for (std::size_t k = 0; k < s_.inlet.size(); ++k) {
+      const Scene::Inlet& in = s_.inlet[k];
+      const DerivedInlet& d = d_.inlets[k];
+      const std::string key = fmt::format("inlet[{}].{}", k, in.speed ? "speed" : "flow_rate");
+      if (!s_.solver.incompressible() && d.speed > 0.15 * d_.sound_speed)
+        warn(key, fmt::format("{} flows at {:.4g} m/s, more than a tenth of the speed of sound, "
+                              "{:.4g} m/s: it will be compressed; make {} larger, {:.3g} say",
+                              d.name, d.speed, d_.sound_speed,
+                              s_.solver.name == SolverName::mueller2003 ? "solver.stiffness"
+                                                                        : "solver.sound_speed",
+                              s_.solver.name == SolverName::mueller2003 ? 100 * d.speed * d.speed
+                                                                        : 10 * d.speed));
+      if (in.start >= s_.time.end)
+        warn(fmt::format("inlet[{}].start", k),
+             fmt::format("{} starts at {:g} s, when the run is over: it brings nothing", d.name,
+                         in.start));
+    }
   }
   void step() {
     if (!s_.time.adaptive && s_.time.step > d_.step_bound())

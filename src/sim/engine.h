@@ -20,11 +20,19 @@ class Engine {
   virtual ~Engine() = default;
   /// A step of dt from `time` on [s]. Returns its solves; none of a solver that does not iterate.
   virtual std::vector<Solve> step(double time, double dt) = 0;
+  /// After a step that stands, which ended at `time`: moves what inlets hold, counts, and lets
+  /// particles come and go.
+  virtual void flow(double time, double dt) = 0;
+  /// Of each of Scene::flow_names() the particles so far, then of each inlet those that wait.
+  virtual std::vector<std::int64_t> flow_counts() const = 0;
+  /// Makes the fluid have n particles, whose state is to be written.
+  virtual void resize(std::int64_t n) = 0;
   /// Takes the last step back. Only for solvers that iterate: the others remember nothing.
   virtual void undo() = 0;
   /// The bounds of a step from `time` on, by the state and the accelerations of the last.
   virtual TimeStepBounds bounds(double time) = 0;
   virtual ParticleView fluid() const = 0;
+  virtual std::vector<BodyState> bodies() const = 0;
   /// The force of the fluid on each wall in the order of Scene::wall_names() [N, N/m in 2D]:
   /// reflecting walls the mean over `interval` [s], the time since the last call; others now.
   virtual std::vector<Vector> wall_forces(double interval) = 0;

@@ -8,6 +8,9 @@
 #include <limits>
 #include <utility>
 
+#include "core/portable.h"
+#include "scene/openings.h"
+
 namespace freshet {
 namespace {
 
@@ -60,8 +63,35 @@ Health::Health(const Scene& scene, const Derived& derived, const ParticleView& s
   const Look look = look_at_(start);
   start_energy_ = look.kinetic + look.potential;
   start_available_ = std::max(0.0, start_energy_ - least_potential(scene));
+  if (scene.has_flows()) expect_flows(start);
   for (const Scene::Fluid& fluid : scene.fluid)
     start_speed_ = std::max({start_speed_, norm_of(fluid.velocity), look.fastest.value});
+}
+
+/// Particles come and go, so that the mean energy may rise to that of the richest.
+void Health::expect_flows(const ParticleView& start) {
+  const auto d = std::size_t(start.dimension);
+  const auto energy = [&](double speed2, auto height_along) {
+    double e = speed2 / 2;
+    for (std::size_t k = 0; k < d; ++k) e -= scene_.domain.gravity[k] * height_along(k);
+    return e;
+  };
+  start_energy_ = least_potential(scene_);
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    double speed2 = 0;
+    for (std::size_t k = 0; k < d; ++k) speed2 += square(double(start.v[d * i + k]));
+    start_energy_ =
+        std::max(start_energy_, energy(speed2, [&](auto k) { return double(start.x[d * i + k]); }));
+  }
+  for (const Scene::Inlet& in : scene_.inlet) {
+    const InletPlan plan = inlet_plan(scene_, in);
+    start_speed_ = std::max(start_speed_, plan.speed);
+    for (std::size_t p = 0; p < plan.particles(); ++p)
+      start_energy_ =
+          std::max(start_energy_,
+                   energy(square(plan.speed), [&](auto k) { return plan.places[p * d + k]; }));
+  }
+  start_available_ = std::max(0.0, start_energy_ - least_potential(scene_));
 }
 
 void Health::look(const Moment& now, const ParticleView& fluid,
@@ -85,9 +115,19 @@ void Health::look(const Moment& now, const ParticleView& fluid,
   }
   judge_walls(fluid.size());
   judge_density();
-  if (scene_.domain.body_force.empty()) {  // which makes any speed and energy
+  // A body force, a surface, the wind and walls that slide make any speed and energy.
+  const bool slides = std::any_of(scene_.wall.begin(), scene_.wall.end(),
+                                  [](const Scene::Wall& wall) { return !wall.velocity.empty(); });
+  const bool driven = !scene_.domain.body_force.empty() || scene_.air.drag != Drag::none ||
+                      slides || scene_.solver.surface_tension_method != SurfaceTensionMethod::none;
+  const auto has = [this](BodyMotion motion) {
+    return std::any_of(scene_.body.begin(), scene_.body.end(),
+                       [=](const Scene::Body& body) { return body.motion == motion; });
+  };
+  // What moves the fluid makes any speed and energy; bodies that fall give it theirs.
+  if (!driven && !has(BodyMotion::moved)) {
     judge_speed();
-    judge_energy();
+    if (!has(BodyMotion::free)) judge_energy();
   }
   judge_solves(solves, bounds);
   for (std::size_t k = 0; k < record_.tracks.size(); ++k) {
@@ -215,7 +255,8 @@ void Health::judge_energy() {
 /// The doubt counts the steps in which a solve ended beyond its tolerance.
 void Health::judge_solves(const std::vector<SolveStatistics>& solves,
                           const std::function<TimeStepBounds()>& bounds) {
-  static constexpr Rule rule{"pressure solve", 1, never, true, false};
+  static constexpr Rule pressure{"pressure solve", 1, never, true, false};
+  static constexpr Rule viscosity{"viscosity solve", 1, never, true, false};
   record_.not_converged.resize(solves.size());
   std::int64_t most = 0;
   const SolveStatistics* worst = nullptr;
@@ -227,8 +268,8 @@ void Health::judge_solves(const std::vector<SolveStatistics>& solves,
     worst = &solves[k];
   }
   if (worst)
-    judge(rule, worst->worst_error / worst->tolerance, std::min(most, steps_since_last()),
-          [&] { return not_solved(*worst, bounds()); });
+    judge(worst->name == "viscosity" ? viscosity : pressure, worst->worst_error / worst->tolerance,
+          std::min(most, steps_since_last()), [&] { return not_solved(*worst, bounds()); });
 }
 
 /// What the start had, that a fall to the bottom and a relaxing of the first densities give, and
@@ -260,9 +301,12 @@ void Health::fail_for_step(const Moment& now, const TimeStepBounds& bounds) cons
                       bound == "force"  ? "domain.gravity"
                       : bound == "flow" ? "fluid.velocity"
                       : bound == "viscosity"
-                          ? weakly ? "solver.artificial_viscosity" : "fluid.viscosity"
-                      : weakly ? "solver.sound_speed"
-                               : "solver.stiffness");
+                          ? weakly && scene_.viscosity_method() == ViscosityMethod::artificial
+                                ? "solver.artificial_viscosity"
+                                : "fluid.viscosity"
+                      : bound == "surface tension" ? "fluid.surface_tension"
+                      : weakly                     ? "solver.sound_speed"
+                                                   : "solver.stiffness");
   else if (last_moment_.step > 0)
     why = fmt::format("at step {} {}; {}", last_moment_.step, fastest(last_), why);
   throw Error(Error::Kind::run, "",
@@ -324,6 +368,13 @@ std::string Health::not_solved(const SolveStatistics& s, const TimeStepBounds& b
   const double error = last ? s.last_error : s.worst_error;
   const std::int64_t iterations = last ? s.last_iterations : s.most_iterations;
   const std::string key = fmt::format("solver.{}_tolerance", s.name);
+  if (s.name == "viscosity")
+    return fmt::format(
+        "a viscosity solve did not converge: after {} iterations {:.3g} % of the equations were "
+        "left, and {} is {:.3g} %, {}{}; make solver.viscosity_max_iterations or {} larger, or {} "
+        "smaller",
+        iterations, 100 * error, key, 100 * s.tolerance, last ? "" : "before or ", when(), key,
+        step_key());
   std::string why = fmt::format("make solver.max_iterations or {} larger, or {} smaller{}", key,
                                 step_key(), scene_.time.retry ? "" : ", or set time.retry = true");
   const bool stuck = error < coarse_density || iterations < scene_.solver.max_iterations;

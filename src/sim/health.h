@@ -68,6 +68,7 @@ class Health {
   void judge_energy();
   void judge_solves(const std::vector<SolveStatistics>& solves,
                     const std::function<TimeStepBounds()>& bounds);
+  void expect_flows(const ParticleView& start);
   [[noreturn]] void fail_for_lost() const;
   std::int64_t steps_since_last() const;
 

@@ -22,6 +22,8 @@ template <int D> class Looker {
         far_(10 * norm(vec_of<D>(max_) - vec_of<D>(min_))),
         support_(d.support_radius),
         rest_density_(d.rest_density) {
+    for (const Scene::Liquid& liquid : s.liquids())
+      heaviness_.push_back(liquid.rest_density / d.rest_density);
     for (int side = 0; side < 2 * D; ++side)
       open_[std::size_t(side)] = !s.periodic(side / 2) && s.side_method(side) == WallMethod::open;
     for (const Scene::Wall& wall : s.wall)
@@ -31,18 +33,20 @@ template <int D> class Looker {
   Look operator()(const ParticleView& f) const {
     Look look;
     const std::size_t n = f.size();
+    if (n == 0) return look;
     const Vec<D, double> mean = add_up(f, look);
-    double most2 = -1, agitation = 0;
+    double most2 = -1, agitation = 0, heaviness = 0;
     std::size_t fastest = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const double speed2 = norm2(at(f.v, i) - mean);
-      agitation += speed2;
+      agitation += heaviness_of(f, i) * speed2;
+      heaviness += heaviness_of(f, i);
       if (!(speed2 >= most2) || (speed2 == most2 && f.id[i] > f.id[fastest])) continue;
       most2 = speed2;
       fastest = i;
     }
     look.fastest = witness(f, fastest, std::sqrt(most2));
-    look.agitation = std::sqrt(agitation / double(n));
+    look.agitation = std::sqrt(agitation / heaviness);
     return look;
   }
 
@@ -60,24 +64,34 @@ template <int D> class Looker {
     return w;
   }
 
+  /// Its mass over that of a particle of the densest liquid.
+  double heaviness_of(const ParticleView& f, std::size_t i) const {
+    return heaviness_[std::size_t(f.liquid_of(i))];
+  }
+
   /// All but what needs the mean velocity, which it returns.
   Vec<D, double> add_up(const ParticleView& f, Look& look) const {
     const std::size_t n = f.size();
     Vec<D, double> momentum{};
+    double heaviness = 0, most = 0;
     std::size_t densest = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const Vec<D, double> x = at(f.x, i), v = at(f.v, i);
-      const double density = double(f.density[i]), excess = density / rest_density_ - 1;
+      const double m = heaviness_of(f, i);
+      const double density = double(f.density[i]) / m, excess = density / rest_density_ - 1;
+      heaviness += m;
       if (excess > 0) {
         look.density_error += excess;
         look.compression += excess * excess;
       }
-      const double most = double(f.density[densest]);
-      if (density > most || (density == most && f.id[i] < f.id[densest])) densest = i;
+      if (i == 0 || density > most || (density == most && f.id[i] < f.id[densest])) {
+        densest = i;
+        most = density;
+      }
       const double speed2 = norm2(v), height = dot(gravity_, x);
-      look.kinetic += speed2 / 2;
-      look.potential -= height;
-      momentum += v;
+      look.kinetic += m * speed2 / 2;
+      look.potential -= m * height;
+      momentum += m * v;
       const bool number = std::isfinite(speed2) && std::isfinite(norm2(x)) && std::isfinite(excess);
       const Place where = place(&f.x[D * i], support_);
       const bool beyond = where == Place::beyond_wall;
@@ -85,10 +99,10 @@ template <int D> class Looker {
         lose(f, i, number, look);
       else if (beyond || (where == Place::inside && is_in_wall(x))) leave(f, i, look);
     }
-    look.densest = witness(f, densest, double(f.density[densest]));
-    for (double* sum : {&look.density_error, &look.compression, &look.kinetic, &look.potential})
-      *sum /= double(n);
-    return momentum / double(n);
+    look.densest = witness(f, densest, most);
+    for (double* sum : {&look.density_error, &look.compression}) *sum /= double(n);
+    for (double* sum : {&look.kinetic, &look.potential}) *sum /= heaviness;
+    return momentum / heaviness;
   }
 
   Place place(const Real* x, double margin) const {
@@ -116,6 +130,7 @@ template <int D> class Looker {
   Vector min_, max_;
   Vec<D, double> gravity_;
   double far_, support_, rest_density_;
+  std::vector<double> heaviness_;  // of the liquids
   std::array<bool, 2 * D> open_{};
   std::vector<RegionSurface<D>> walls_;
 };

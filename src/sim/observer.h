@@ -12,6 +12,7 @@
 #include "scene/inputs.h"
 #include "scene/schedule.h"
 #include "sim/background.h"
+#include "sim/probes.h"
 
 namespace freshet {
 
@@ -39,14 +40,18 @@ class Observer {
   using Clock = std::chrono::steady_clock;
   void after_last_step();
   void observe();
+  void probe(const StepTaken& step);
   void draw_frame();
   void film();
   void write_data();
   void write_observables();
+  void remember_scheduled();
+  void note_bodies();
 
   Simulation& sim_;
   Schedule schedule_;
   RunRecord record_;
+  Probes probes_;
   Inputs inputs_;     // read before the folder is cleared, where they may lie
   RunFolder folder_;  // the background's, until it has come to rest
   std::optional<VideoOptions> video_;

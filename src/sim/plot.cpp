@@ -160,6 +160,18 @@ Topic forces_along(const std::string& axis, const Table& table) {
   return topic;
 }
 
+/// What goes through inlets, outlets and counters.
+Topic flows_in(const Table& table) {
+  const std::string front = "flow through ";
+  Topic topic{"flow", {}};
+  for (const Column& c : table.columns) {
+    if (!c.name.starts_with(front)) continue;
+    if (topic.columns.empty()) topic.label += " " + printed(c.unit);
+    topic.columns.emplace_back(c.name, c.name.substr(front.size()));
+  }
+  return topic;
+}
+
 std::vector<Panel> usual_panels(const std::vector<Run>& runs) {
   std::vector<Panel> panels;
   panels.push_back(panel_of({"energy [J]",
@@ -183,6 +195,8 @@ std::vector<Panel> usual_panels(const std::vector<Run>& runs) {
       panel_of({"solve error [%]",
                 {{"density solve error", "density"}, {"divergence solve error", "divergence"}}},
                runs));
+  panels.push_back(panel_of(flows_in(runs[0].table), runs));
+  panels.push_back(panel_of({"particles", {{"particles", "particles"}}}, runs));
   for (const char* axis : axis_names)
     panels.push_back(panel_of(forces_along(axis, runs[0].table), runs));
   std::erase_if(panels, [](const Panel& p) { return p.series.empty(); });

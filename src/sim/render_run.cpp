@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <fstream>
+#include <iterator>
 
 #include "freshet/render.h"
 #include "freshet/simulation.h"
@@ -10,6 +12,7 @@
 #include "io/video.h"
 #include "render/draw.h"
 #include "render/png.h"
+#include "sim/body_table.h"
 
 namespace freshet {
 namespace {
@@ -47,6 +50,11 @@ void check_output(const RenderOptions& options, const fs::path& folder, std::siz
       refuse(folder.string(),
              "this folder holds pictures; --overwrite replaces them, or choose another --output");
   if (options.video) Video::check(options.video->file, options.overwrite);
+}
+
+std::map<std::int64_t, std::vector<BodyState>> bodies_of(const fs::path& run, const Scene& scene) {
+  std::ifstream in(run / "bodies.csv", std::ios::binary);
+  return read_bodies(std::string(std::istreambuf_iterator<char>(in), {}), scene);
 }
 
 /// A film that shows each frame until the next one's time, in pictures of one length.
@@ -89,9 +97,11 @@ RenderReport render(const RenderOptions& options) {
   check_output(options, folder, files.size());
   std::optional<Film> film;
   if (options.video) film.emplace(scene, *options.video);
+  const auto bodies = bodies_of(options.run, scene);
   RenderReport report;
   for (const fs::path& file : files) {
-    const Frame frame = read_frame(file);
+    Frame frame = read_frame(file);
+    if (const auto at = bodies.find(frame.step); at != bodies.end()) frame.bodies = at->second;
     if (frame.dimension != scene.dimension())
       throw Error(Error::Kind::run, file.string(),
                   fmt::format("this frame is in {}D and the run's scene in {}D; run it again",

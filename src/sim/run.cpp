@@ -40,6 +40,9 @@ Report report_of(const Simulation& sim, const RunRecord& record) {
   r.time_steps = sim.time_steps();
   r.solves = sim.solves();
   r.statistics = sim.statistics();
+  const std::vector<BodyState> bodies = sim.bodies();
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    r.bodies.emplace_back(sim.scene().body_name(k), bodies[k]);
   r.warnings = sim.warnings();
   r.verbs = sim.timings();
   r.state_sha256 = sim.state_sha256();

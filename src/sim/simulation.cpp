@@ -53,6 +53,7 @@ struct Simulation::Impl {
   }
   std::vector<StateArray> state() const;
   std::string state_digest(StateArray::Role role) const;
+  class Resized;
   double next_step();
   double advance(double from, double dt, int halvings, double whole);
   void note(const std::vector<Solve>& solves);
@@ -62,6 +63,8 @@ struct Simulation::Impl {
   std::unique_ptr<Engine> engine;
   std::int64_t steps = 0;
   double time = 0, forces_asked = 0;
+  double flows_asked = 0;  // when, and the counts then
+  std::vector<std::int64_t> flowed;
   TimeSteps time_steps;
   std::vector<SolveStatistics> solves;
   bool retries_help = true;
@@ -86,6 +89,7 @@ bool Simulation::finished() const {
   return s.time.adaptive ? impl_->time >= s.time.end * (1 - 1e-12) : impl_->steps >= s.steps();
 }
 ParticleView Simulation::fluid() const { return impl_->engine->fluid(); }
+std::vector<BodyState> Simulation::bodies() const { return impl_->engine->bodies(); }
 const std::vector<VerbTiming>& Simulation::timings() const { return impl_->engine->timings(); }
 
 /// Without the arrays of sets that nothing is in.
@@ -139,8 +143,9 @@ double Simulation::Impl::advance(double from, double dt, int halvings, double wh
     converged &= s.converged();
   }
   if (converged && halvings == 0) retries_help = true;
-  if (converged || !scene.time.retry || !retries_help) {
+  if (converged || !scene.time.retry || !retries_help || !scene.solver.incompressible()) {
     note(solved);
+    engine->flow(from + dt, dt);
     return dt;
   }
   engine->undo();
@@ -196,10 +201,31 @@ std::vector<Vector> Simulation::wall_forces() {
   return impl_->engine->wall_forces(impl_->time - std::exchange(impl_->forces_asked, impl_->time));
 }
 
+std::vector<Flow> Simulation::flows() {
+  Impl& i = *impl_;
+  const Scene& s = i.scene;
+  const std::vector<std::string> names = s.flow_names();
+  const std::vector<std::int64_t> counts = i.engine->flow_counts();
+  i.flowed.resize(names.size());
+  const double volume = std::pow(s.particles.spacing, s.dimension());
+  const double interval = i.time - std::exchange(i.flows_asked, i.time);
+  std::vector<Flow> all;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const bool in = k < s.inlet.size(), out = !in && k < s.inlet.size() + s.outlet.size();
+    Flow f{in ? "inlet" : out ? "outlet" : "counter", names[k], counts[k]};
+    f.volume = volume * double(f.particles);
+    const auto since = double(f.particles - std::exchange(i.flowed[k], f.particles));
+    if (interval > 0) f.rate = volume * since / interval;
+    if (in) f.waiting = counts[names.size() + k];
+    all.push_back(std::move(f));
+  }
+  return all;
+}
+
 Frame Simulation::frame() const {
   const ParticleView f = fluid();
   const auto D = std::size_t(f.dimension), n = f.size();
-  Frame out{f.dimension, impl_->steps, impl_->time, {}, {}, {}, {}, {}};
+  Frame out{f.dimension, impl_->steps, impl_->time, {}, {}, {}, {}, {}, {}, bodies()};
   out.id.resize(n);
   out.x.resize(D * n);
   out.v.resize(D * n);
@@ -215,6 +241,7 @@ Frame Simulation::frame() const {
     }
     out.density[k] = float(f.density[i]);
     out.pressure[k] = float(f.pressure[i]);
+    if (!f.liquid.empty()) out.liquid.push_back(f.liquid[i]);
   }
   return out;
 }
@@ -222,15 +249,19 @@ Frame Simulation::frame() const {
 Statistics Simulation::statistics() const {
   const ParticleView f = fluid();
   const Scene& s = scene();
-  const double margin = impl_->derived.support_radius, m = impl_->derived.mass;
-  const double rest_density = impl_->derived.rest_density;
+  const Derived& derived = impl_->derived;
+  const double margin = derived.support_radius;
+  const auto liquids = s.liquids();
   const auto D = std::size_t(f.dimension);
   Statistics out;
   out.momentum.assign(D, 0);
   out.particles = std::int64_t(f.size());
+  if (f.size() == 0) return out;
   out.density_min = out.density_max = double(f.density[0]);
   out.fastest = f.id[0];
   for (std::size_t i = 0; i < f.size(); ++i) {
+    const double rest_density = liquids[std::size_t(f.liquid_of(i))].rest_density;
+    const double m = derived.mass * (rest_density / derived.rest_density);
     double speed2 = 0, potential = 0;
     bool inside = true;
     for (std::size_t d = 0; d < D; ++d) {
@@ -245,7 +276,9 @@ Statistics Simulation::statistics() const {
     out.density_mean += density;
     out.density_min = std::min(out.density_min, density);
     out.density_max = std::max(out.density_max, density);
-    out.density_error_mean += std::max(0.0, density / rest_density - 1);
+    const double error = std::max(0.0, density / rest_density - 1);
+    out.density_error_mean += error;
+    out.density_error_max = std::max(out.density_error_max, error);
     out.speed_mean += speed;
     if (speed > out.speed_max || (speed == out.speed_max && f.id[i] < out.fastest)) {
       out.speed_max = speed;
@@ -258,7 +291,6 @@ Statistics Simulation::statistics() const {
   const double n = double(f.size());
   out.density_mean /= n;
   out.density_error_mean /= n;
-  out.density_error_max = std::max(0.0, out.density_max / rest_density - 1);
   out.speed_mean /= n;
   out.height_mean /= n;
   return out;
@@ -287,6 +319,8 @@ Checkpoint Simulation::checkpoint() const {
   c.time = impl_->time;
   c.watch = impl_->health->record();
   c.forces_asked = impl_->forces_asked;
+  c.flows_asked = impl_->flows_asked;
+  c.flowed = impl_->flowed;
   c.time_steps = impl_->time_steps;
   c.solves = impl_->solves;
   c.retries_help = impl_->retries_help;
@@ -299,7 +333,39 @@ Checkpoint Simulation::checkpoint() const {
   return c;
 }
 
+/// Makes the fluid have as many particles as a checkpoint's, where they come and go; if what
+/// follows throws, all is as it was.
+class Simulation::Impl::Resized {
+ public:
+  Resized(Engine& engine, std::int64_t n) : engine_(engine), n_(engine.fluid().id.size()) {
+    if (n == n_) return;
+    for (const StateArray& a : engine.state()) before_.emplace_back(a.data, a.data + a.bytes());
+    engine.resize(n);
+  }
+  ~Resized() {
+    if (before_.empty()) return;
+    engine_.resize(n_);
+    std::size_t k = 0;
+    for (const StateArray& a : engine_.state()) {
+      std::copy(before_[k].begin(), before_[k].end(), a.data);
+      ++k;
+    }
+  }
+  void keep() { before_.clear(); }
+
+ private:
+  Engine& engine_;
+  std::int64_t n_;
+  std::vector<std::vector<std::byte>> before_;
+};
+
 void Simulation::restore(const Checkpoint& c) {
+  const auto ids = std::find_if(c.arrays.begin(), c.arrays.end(),
+                                [](const StateArray& a) { return a.name == "fluid/id"; });
+  const auto here = std::int64_t(impl_->engine->fluid().size());
+  Impl::Resized resized(*impl_->engine, !impl_->scene.has_flows() ? here
+                                        : ids == c.arrays.end()   ? 0
+                                                                  : ids->count);
   const auto refuse = [](const std::string& why) {
     throw Error(Error::Kind::scene, "", "this checkpoint is not of this scene: " + why);
   };
@@ -330,11 +396,14 @@ void Simulation::restore(const Checkpoint& c) {
     const auto it = stored(a);
     std::copy(it->bytes.begin(), it->bytes.end(), a.data);
   }
+  resized.keep();
   impl_->engine->continue_from(c.steps);
   impl_->steps = c.steps;
   impl_->time = c.time;
   impl_->health->go_on({c.steps, c.time, c.time_steps.last}, c.watch);
   impl_->forces_asked = c.forces_asked;
+  impl_->flows_asked = c.flows_asked;
+  impl_->flowed = c.flowed;
   impl_->time_steps = c.time_steps;
   impl_->solves = c.solves;
   impl_->retries_help = c.retries_help;

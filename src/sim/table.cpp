@@ -89,13 +89,15 @@ Table read_table(const std::filesystem::path& file) {
   bytes = bytes.substr(0, bytes.rfind('\n') + 1);
   if (bytes.empty()) fail(file, 1, "no whole line; the first must name the columns");
   Table table;
+  std::size_t line = 1;
+  for (; bytes.starts_with('#'); ++line) take_line(bytes);
   for (const std::string& heading : fields_of(take_line(bytes)))
     table.columns.push_back(column_of(heading));
   while (!bytes.empty()) {
     Fields fields = fields_of(take_line(bytes));
     ++table.rows;
     if (fields.size() != table.columns.size())
-      fail(file, table.rows + 1,
+      fail(file, table.rows + line,
            fmt::format("{} value{}, and the first line names {}; every line must give all",
                        fields.size(), fields.size() == 1 ? "" : "s", table.columns.size()));
     for (std::size_t k = 0; k < fields.size(); ++k)

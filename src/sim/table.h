@@ -24,7 +24,8 @@ struct Table {
   const Column* find(std::string_view name) const;
 };
 
-/// Reads a CSV file whose first line names the columns, "NAME [UNIT]"; a name with a comma in it
+/// Reads a CSV file whose first line, but for comments that begin with #, names the columns,
+/// "NAME [UNIT]"; a name with a comma in it
 /// stands in quotes. A last line without its end is left out: it is being written, or never was.
 /// Throws Error (kind scene) with FILE:LINE where the file is not like that.
 Table read_table(const std::filesystem::path& file);

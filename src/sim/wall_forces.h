@@ -5,6 +5,7 @@
 
 #include "boundary/confinement.h"
 #include "boundary/wall_sets.h"
+#include "core/fluid_particles.h"
 #include "core/over.h"
 #include "freshet/scene.h"
 #include "pairs/mueller2003_forces.h"
@@ -23,7 +24,7 @@ template <int D> Vec<D> acceleration_of(const ForceDensities<D, Real>& sum, Real
 
 template <int D> class WallForces {
  public:
-  /// m: the mass of a particle [kg].
+  /// m: the mass of a particle of the densest liquid [kg]; accelerations are as if of it.
   WallForces(std::size_t walls, double m) : m_(m), force_(walls, Vector(std::size_t(D), 0.0)) {}
   const std::vector<Vector>& list() const { return force_; }
 
@@ -33,8 +34,7 @@ template <int D> class WallForces {
     if (wall.n == 0) return;
     backend.list_neighbors("wall forces", h, wall, f);
     const auto force = wall.force;
-    backend.sum_pairs("wall forces", wall, over(f, Reaction<D, Term>{term}),
-                      [=](int k, const Vec<D>& sum) { force[k] = sum; });
+    backend.sum_pairs("wall forces", wall, over(f, Reaction<D, Term>{term}), StoreForce<D>{force});
     const auto number = wall.wall;
     for (int w = 0; w < int(force_.size()); ++w)
       for (int d = 0; d < D; ++d)
@@ -66,15 +66,15 @@ template <int D> class WallForces {
 
   /// On reflecting walls: against the velocities that they gave in this time.
   template <class B>
-  void add_bounces(B& backend, const Particles<D>& f, const Confinement<D>& c,
-                   const std::vector<int>& shapes, double interval) {
+  void add_bounces(B& backend, const FluidParticles<D>& f, const Liquids& liquids,
+                   const Confinement<D>& c, const std::vector<int>& shapes, double interval) {
     const int walls = c.walls();
     if (!c.bounced.data || !(interval > 0)) return;
     const auto bounced = c.bounced;
     const auto total = [&](int wall, int d) {
       return -m_ / interval * backend.sum("wall forces", f, [=](int i) {
         Vec<D, double> dv = bounced[i * walls + wall];
-        return component(dv, d);
+        return component(dv, d) / double(liquids.lightness(f, i));
       });
     };
     for (int d = 0; d < D; ++d) {

@@ -8,34 +8,33 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-template <int D> struct DeltaSphFluid : Particles<D> {
-  Field<Real> rho;           ///< kept: density [kg/m^D]
-  Field<Vec<D>> a;           ///< acceleration
-  Field<Real> drho;          ///< rate of the density
-  Field<Vec<D>> v_memory;    ///< kept: velocity earlier in the step; not with symplectic Euler
-  Field<Real> rho_memory;    ///< kept: the same of the density
-  Field<Real> p, diffusion;  ///< scratch
+/// rho is kept: it is advanced in time.
+template <int D> struct DeltaSphFluid : FluidParticles<D> {
+  Field<Real> drho;        ///< rate of the density
+  Field<Vec<D>> v_memory;  ///< kept: velocity earlier in the step; not with symplectic Euler
+  Field<Real> rho_memory;  ///< kept: the same of the density
+  Field<Real> diffusion;   ///< scratch
   Field<Vec<D>> density_gradient;  ///< scratch; Antuono's diffusion only
 
   template <class Visit> void fields(Integrator integrator, bool antuono, Visit visit) {
     const bool starts_with_rates = integrator != Integrator::symplectic_euler;
     const Keep rates = starts_with_rates ? Keep::kept : Keep::scratch;
-    visit("rho", Keep::kept, rho);
-    visit("a", rates, a);
+    visit("rho", Keep::kept, this->rho);
+    visit("a", rates, this->a);
     visit("drho", rates, drho);
     if (starts_with_rates) {
       visit("v_memory", Keep::kept, v_memory);
       visit("rho_memory", Keep::kept, rho_memory);
     }
-    visit("p", Keep::scratch, p);
+    visit("p", Keep::scratch, this->p);
     if (antuono) {
       visit("diffusion", Keep::scratch, diffusion);
       visit("density_gradient", Keep::scratch, density_gradient);
     }
   }
   template <class F> FRESHET_HD void evolve(int i, const F& f) const {
-    f(i, this->v, a, v_memory);
-    f(i, rho, drho, rho_memory);
+    f(i, this->v, this->a, v_memory);
+    f(i, this->rho, drho, rho_memory);
   }
 };
 
@@ -46,6 +45,7 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
   WeaklyCompressibleParameters<D> c;
   Kernel<D> W;
   bool antuono;  ///< diffusion of Antuono 2010; else of Fourtakas 2019 (none: delta = 0)
+  NonPressureForces<D, B>* forces = nullptr;  ///< what else acts, if anything
 
   template <class Visit> void fields(Fluid& f, Visit visit) const {
     f.fields(c.integrator, antuono, visit);
@@ -53,13 +53,12 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
   void prepare(B& backend, Walls<D>& walls) const { prepare_walls(backend, walls, W, c); }
 
   void step(B& backend, Fluid& fluid, Walls<D>& walls, const Tick& t) const {
-    integrate(backend, c.integrator, fluid, c.confine, t,
-              [&] { evaluate_rates(backend, fluid, walls, t); });
+    integrate_with(backend, c, fluid, walls, t, forces,
+                   [&] { evaluate_rates(backend, fluid, walls, t); });
   }
 
   TimeStepBounds bounds(B& backend, const Fluid& f) const {
-    const double nu = double(c.alpha) * double(c.h) * double(c.c0) / (2 * (D + 2));
-    return time_step_bounds(backend, f, double(c.h), double(c.c0), nu);
+    return time_step_bounds(backend, f, double(c.h), c.fastest_sound(), c.artificial_nu());
   }
 
   /// The pair terms of the rates, for what else asks who pushes whom.
@@ -69,9 +68,8 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
     const Vec<D> G = c.rho0 / (c.c0 * c.c0) * c.gravity;
     return DeltaSphRates{W, numbers, G, f.p, f.rho, f.v};
   }
-  auto akinci2012_forces(const Fluid& f, const Walls<D>& w) const {
-    return DeltaSphAkinciRates{
-        W, numbers(), f.p, f.rho, f.v, w.akinci2012.psi, w.akinci2012.friction};
+  auto akinci2012_forces(const Fluid& f, const AkinciWall<D>& w) const {
+    return DeltaSphAkinciRates{W, numbers(), f.p, f.rho, f.v, w.psi, w.friction, w.v};
   }
   auto adami2012_forces(const Fluid& f, const Walls<D>& w) const {
     return DeltaSphAdamiRates{
@@ -93,16 +91,18 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
     backend.find_neighbors("neighbors", c.support, fluid, w.akinci2012, w.adami2012,
                            w.monaghan2009);
     const auto f = fluid;
-    const Real rho0 = c.rho0, B_tait = c.B();
+    const Real rho0 = c.rho0, B_tait = c.B(), background = c.background;
     const bool density_first = c.integrator == Integrator::symplectic_euler;
     backend.share("rho", f, f.rho);
     if (antuono) diffuse(backend, f);
     if (density_first) sum_rates(backend, f, w, "continuity", AdvanceDensity{f, t.dt, antuono});
-    backend.for_each("pressure", f,
-                     [=] FRESHET_LAMBDA(int i) { f.p[i] = tait(B_tait, f.rho[i] / rho0); });
+    backend.for_each("pressure", f, [=] FRESHET_LAMBDA(int i) {
+      f.p[i] = tait(B_tait, f.rho[i] / rho0, background);
+    });
     backend.share("rho, p", f, f.rho, f.p);
     extrapolate_to_walls(backend, w.adami2012, f, W, c);
-    sum_rates(backend, f, w, "rates", SetRates{f, c.gravity, antuono, density_first});
+    sum_rates(backend, f, w, "rates", SetRates{f, c.liquids, c.gravity, antuono, density_first});
+    ask_bodies(backend, w, f, c.support, akinci2012_forces(f, w.of_bodies));
   }
 
   struct AdvanceDensity {
@@ -115,10 +115,11 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
   };
   struct SetRates {
     Fluid f;
+    Liquids liquids;
     Vec<D> g;
     bool diffuses, density_is_done;
     FRESHET_HD void operator()(int i, const DeltaSphSum<D, Real>& sum) const {
-      f.a[i] = sum.a + g;
+      f.a[i] = liquids.lightness(f, i) * sum.a + g;
       f.drho[i] = density_is_done ? 0 : diffuses ? sum.drho + f.diffusion[i] : sum.drho;
     }
   };
@@ -127,7 +128,7 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
   void sum_rates(B& backend, const Fluid& f, const Walls<D>& w, const char* name,
                  const Finish& finish) const {
     backend.sum_pairs(name, f, over(f, fluid_forces(f)),
-                      over(w.akinci2012, akinci2012_forces(f, w)),
+                      over(w.akinci2012, akinci2012_forces(f, w.akinci2012)),
                       over(w.adami2012, adami2012_forces(f, w)),
                       over(w.monaghan2009, monaghan2009_forces(f, w)), finish);
   }

@@ -66,6 +66,7 @@ struct Dfsph : Incompressible<D, B, Kernel, DfsphFluid<D>> {
     const Solve done = solve(
         name, limits, [&] { return measure(backend, f, w, k, dt, excess); },
         [&](double error) { improve(backend, f, w, k, dt, Real(momentum.next(error))); });
+    this->note_impulse(backend, f, w, k, dt);
     forget_unneeded(backend, f, k, dt);
     return done;
   }
@@ -89,6 +90,7 @@ struct Dfsph : Incompressible<D, B, Kernel, DfsphFluid<D>> {
                                   [=] FRESHET_LAMBDA(int i, Vec<D> a) { f.v[i] += dt * a; });
     else backend.for_each("start", f, [=] FRESHET_LAMBDA(int i) { k[i] = 0; });
     backend.share("v", f, f.v);
+    if (w.bodies && w.bodies->respond) push_bodies(backend, f, w, k, dt, 0);
   }
 
   /// The change of k that Jacobi's step is, and the error before it.
@@ -110,6 +112,7 @@ struct Dfsph : Incompressible<D, B, Kernel, DfsphFluid<D>> {
   void improve(B& backend, const Fluid& fluid, const Walls<D>& w, Field<Real> k, Real dt,
                Real beta) const {
     const auto f = fluid;
+    if (w.bodies && w.bodies->respond) push_bodies(backend, f, w, f.change, dt, beta);
     this->pressure_acceleration(backend, f, w, f.change, [=] FRESHET_LAMBDA(int i, Vec<D> a) {
       const Real k_next = k[i] + f.change[i];
       const Vec<D> v_next = f.v[i] + dt * a;
@@ -119,6 +122,18 @@ struct Dfsph : Incompressible<D, B, Kernel, DfsphFluid<D>> {
       f.v_before[i] = v_next;
     });
     backend.share("v", f, f.v);
+  }
+
+  /// The same of the motion of bodies.
+  void push_bodies(B& backend, const Fluid& f, const Walls<D>& w, Field<Real> change, Real dt,
+                   Real beta) const {
+    this->press_bodies(backend, f, w, change);
+    for (auto& body : w.bodies->all) {
+      const auto next = body.motion + double(dt) * body.push;
+      body.motion = next + double(beta) * (next - body.before);
+      body.before = next;
+    }
+    this->show_bodies(backend, f, w);
   }
 
   /// beta of Nesterov's scheme, as if a few iterations had gone before: the pressures it starts

@@ -24,6 +24,7 @@ struct Iisph : Incompressible<D, B, Kernel, IisphFluid<D>> {
   using Base = Incompressible<D, B, Kernel, IisphFluid<D>>;
   using Base::c;
   using typename Base::Fluid;
+  using Twist = typename RigidBodies<D>::Twist;
 
   std::array<Solve, 1> step(B& backend, Fluid& fluid, Walls<D>& w, const Tick& t) const {
     this->find_neighbors(backend, fluid, w);
@@ -35,8 +36,11 @@ struct Iisph : Incompressible<D, B, Kernel, IisphFluid<D>> {
       f.rho_adv[i] = f.rho[i] + dt * rate;  // eq. 4
       f.k[i] = start * f.k[i];
     });
+    if (w.bodies && !w.bodies->respond)  // accelerated by nothing
+      this->show_bodies(backend, f, w, [](const auto&) { return Twist{}; });
     const Solve density = solve(
         "density", c.density, [&] { return iterate(backend, f, w, dt); }, [](double) {});
+    this->note_impulse(backend, f, w, f.k, dt);
     this->pressure_acceleration(backend, f, w, f.k, [=] FRESHET_LAMBDA(int i, Vec<D> a) {
       f.a[i] += a;
       f.v[i] += dt * a;  // eq. 15
@@ -53,6 +57,10 @@ struct Iisph : Incompressible<D, B, Kernel, IisphFluid<D>> {
     this->pressure_acceleration(backend, f, w, f.k,
                                 [=] FRESHET_LAMBDA(int i, Vec<D> a) { f.a_p[i] = a; });
     backend.share("a_p", f, f.a_p);
+    if (w.bodies && w.bodies->respond) {
+      this->press_bodies(backend, f, w, f.k);
+      this->show_bodies(backend, f, w, [](const auto& body) { return body.push; });
+    }
     this->density_rate(backend, f, w, f.a_p, [=] FRESHET_LAMBDA(int i, Real rate) {
       const Real excess = f.rho_adv[i] - rho0 + dt2 * rate, k_per_excess = f.factor[i] / dt2;
       f.excess[i] = Base::left_of(excess, f.k[i], k_per_excess);

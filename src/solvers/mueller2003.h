@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "boundary/wall_sets.h"
+#include "core/fluid_particles.h"
 #include "kernels/poly6.h"
 #include "pairs/density.h"
 #include "pairs/mueller2003_forces.h"
@@ -16,6 +17,7 @@ template <int D> struct Mueller2003Parameters {
   Real m, m_density;  ///< mass [kg]; mass over Poly6's lattice sum [kg]
   Real rho0, k, mu;   ///< rest density [kg/m^D], stiffness [m^2/s^2], viscosity [Pa s]
   Vec<D> gravity;     ///< [m/s^2]
+  Liquids liquids;    ///< one
   Confinement<D> confine;
   Integrator integrator;
   bool article;       ///< the article's step, which limits speeds
@@ -23,18 +25,19 @@ template <int D> struct Mueller2003Parameters {
   Real speed_limit;   ///< [m/s]; the article's step only
 };
 
-template <int D> struct Mueller2003Fluid : Particles<D> {
-  Field<Vec<D>> a;         ///< kept: acceleration, for the first kick of the next step
+/// a is kept: the acceleration for the first kick of the next step.
+template <int D> struct Mueller2003Fluid : FluidParticles<D> {
   Field<Vec<D>> v_memory;  ///< kept (the search sorts within a step): velocity at its middle
-  Field<Real> rho, p;      ///< scratch
 
   template <class Visit> void fields(Visit visit) {
-    visit("a", Keep::kept, a);
+    visit("a", Keep::kept, this->a);
     visit("v_memory", Keep::kept, v_memory);
-    visit("rho", Keep::scratch, rho);
-    visit("p", Keep::scratch, p);
+    visit("rho", Keep::scratch, this->rho);
+    visit("p", Keep::scratch, this->p);
   }
-  template <class F> FRESHET_HD void evolve(int i, const F& f) const { f(i, this->v, a, v_memory); }
+  template <class F> FRESHET_HD void evolve(int i, const F& f) const {
+    f(i, this->v, this->a, v_memory);
+  }
 };
 
 /// The article's integrator: one kick, one drift, both of the whole step. Started from x and v of

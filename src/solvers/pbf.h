@@ -27,6 +27,7 @@ struct Pbf : Incompressible<D, B, Kernel, PbfFluid<D>> {
   std::array<Solve, 1> step(B& backend, Fluid& fluid, Walls<D>& w, const Tick& t) const {
     const Real dt = t.dt;
     predict(backend, fluid, dt);  // lines 1 to 4
+    if (w.bodies) predict_bodies(backend, w, dt);
     this->find_neighbors(backend, fluid, w);
     const auto f = fluid;
     backend.for_each("start", f, [=] FRESHET_LAMBDA(int i) {
@@ -74,8 +75,24 @@ struct Pbf : Incompressible<D, B, Kernel, PbfFluid<D>> {
     return this->error(backend, f);
   }
 
+  /// The engine has put them to where they fly in dt; pulled, they get farther.
+  void predict_bodies(B& backend, const Walls<D>& w, Real dt) const {
+    BodyCoupling<D>::displace(backend, w,
+                              [=](const auto& body) { return square(double(dt)) * body.pull; });
+    for (auto& body : w.bodies->all) body.motion += double(dt) * std::exchange(body.pull, {});
+  }
+  /// The same correction of bodies, whose impulse it is.
+  void correct_bodies(B& backend, const Fluid& f, const Walls<D>& w, Real dt) const {
+    this->press_bodies(backend, f, w, f.lambda);
+    this->note_impulse(w, 1 / double(dt));
+    if (!w.bodies->respond) return;
+    for (auto& body : w.bodies->all) body.motion += 1 / double(dt) * body.push;
+    BodyCoupling<D>::displace(backend, w, [](const auto& body) { return body.push; });
+  }
+
   void correct(B& backend, const Fluid& fluid, const Walls<D>& w, Real dt) const {
     const auto f = fluid;
+    if (w.bodies) correct_bodies(backend, f, w, dt);  // first: what follows changes x
     this->pressure_acceleration(backend, f, w, f.lambda, [=] FRESHET_LAMBDA(int i, Vec<D> sum) {
       f.moved[i] += sum;
       f.x[i] += sum;

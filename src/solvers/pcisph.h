@@ -37,6 +37,7 @@ struct Pcisph : Incompressible<D, B, Kernel, PcisphFluid<D>> {
     });
     const Solve density = solve(
         "density", c.density, [&] { return correct(backend, f, w, dt); }, [](double) {});
+    this->note_impulse(backend, f, w, f.k, dt);
     backend.for_each("kick", f, [=] FRESHET_LAMBDA(int i) {
       f.a[i] += f.a_p[i];
       f.v[i] += dt * f.a_p[i];
@@ -53,7 +54,8 @@ struct Pcisph : Incompressible<D, B, Kernel, PcisphFluid<D>> {
     const Real omega_dt2 = c.relaxation(0.5f) / (dt * dt), full = 1 / c.response;
     predict(backend, f, dt);
     backend.sum_pairs("solve: rate", f, over(f, PredictedDensity{W, c.m_density, f.moved}),
-                      over(w.akinci2012, Akinci2012PredictedDensity{W, w.akinci2012.psi, f.moved}),
+                      over(w.akinci2012, Akinci2012PredictedDensity{W, w.akinci2012.psi, f.moved,
+                                                                    dt, w.akinci2012.v}),
                       [=] FRESHET_LAMBDA(int i, Real rho) {
                         const Real excess = rho - rho0;
                         const Real delta = omega_dt2 * min(full, f.factor[i]);  // eq. 8
@@ -62,6 +64,11 @@ struct Pcisph : Incompressible<D, B, Kernel, PcisphFluid<D>> {
                       });
     this->pressure_acceleration(backend, f, w, f.k,
                                 [=] FRESHET_LAMBDA(int i, Vec<D> a) { f.a_p[i] = a; });
+    if (w.bodies && w.bodies->respond) {
+      this->press_bodies(backend, f, w, f.k);
+      BodyCoupling<D>::set_velocities(
+          backend, w, [=](const auto& body) { return body.motion + double(dt) * body.push; });
+    }
     return this->error(backend, f);
   }
 

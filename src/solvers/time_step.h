@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cmath>
+#include <limits>
 
 #include "core/field.h"
 #include "freshet/time_step.h"
@@ -17,6 +18,10 @@ inline namespace FRESHET_ISA {
 ///   h [m], c [m/s], nu [m^2/s]; a is of the step before.
 template <class B, class Fluid>
 TimeStepBounds time_step_bounds(B& backend, const Fluid& f, double h, double c, double nu) {
+  if (f.n == 0) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return {c > 0 ? 0.4 * h / c : infinity, infinity, 0.125 * h * h / nu};
+  }
   const double v2 =
       backend.max("time step", f, [=] FRESHET_LAMBDA(int i) { return double(norm2(f.v[i])); });
   const double a2 =

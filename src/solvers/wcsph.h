@@ -9,19 +9,19 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-template <int D> struct WcsphFluid : Particles<D> {
-  Field<Vec<D>> a;         ///< acceleration
+template <int D> struct WcsphFluid : FluidParticles<D> {
   Field<Vec<D>> v_memory;  ///< kept: velocity earlier in the step; not with symplectic Euler
-  Field<Real> rho, p;      ///< scratch
 
   template <class Visit> void fields(Integrator integrator, Visit visit) {
     const bool starts_with_a = integrator != Integrator::symplectic_euler;
-    visit("a", starts_with_a ? Keep::kept : Keep::scratch, a);
+    visit("a", starts_with_a ? Keep::kept : Keep::scratch, this->a);
     if (starts_with_a) visit("v_memory", Keep::kept, v_memory);
-    visit("rho", Keep::scratch, rho);
-    visit("p", Keep::scratch, p);
+    visit("rho", Keep::scratch, this->rho);
+    visit("p", Keep::scratch, this->p);
   }
-  template <class F> FRESHET_HD void evolve(int i, const F& f) const { f(i, this->v, a, v_memory); }
+  template <class F> FRESHET_HD void evolve(int i, const F& f) const {
+    f(i, this->v, this->a, v_memory);
+  }
 };
 
 /// Weakly compressible SPH for free surface flows [Becker and Teschner 2007]: density by summation,
@@ -31,26 +31,25 @@ template <int D, Backend<D> B, template <int> class Kernel> struct Wcsph {
   using Fluid = WcsphFluid<D>;
   WeaklyCompressibleParameters<D> c;
   Kernel<D> W;
+  NonPressureForces<D, B>* forces = nullptr;  ///< what else acts, if anything
 
   template <class Visit> void fields(Fluid& f, Visit visit) const { f.fields(c.integrator, visit); }
   void prepare(B& backend, Walls<D>& walls) const { prepare_walls(backend, walls, W, c); }
 
   void step(B& backend, Fluid& fluid, Walls<D>& walls, const Tick& t) const {
-    integrate(backend, c.integrator, fluid, c.confine, t,
-              [&] { accelerate(backend, fluid, walls); });
+    integrate_with(backend, c, fluid, walls, t, forces, [&] { accelerate(backend, fluid, walls); });
   }
 
   TimeStepBounds bounds(B& backend, const Fluid& f) const {
-    const double nu = double(c.alpha) * double(c.h) * double(c.c0) / (2 * (D + 2));
-    return time_step_bounds(backend, f, double(c.h), double(c.c0), nu);
+    return time_step_bounds(backend, f, double(c.h), c.fastest_sound(), c.artificial_nu());
   }
 
   /// The pair terms of the forces, for what else asks who pushes whom.
   auto fluid_forces(const Fluid& f) const {
     return Becker2007Forces{W, Pi(), c.m, f.p, f.rho, f.v};
   }
-  auto akinci2012_forces(const Fluid& f, const Walls<D>& w) const {
-    return Akinci2012Forces{W, Pi(), f.p, f.rho, f.v, w.akinci2012.psi, w.akinci2012.friction};
+  auto akinci2012_forces(const Fluid& f, const AkinciWall<D>& w) const {
+    return Akinci2012Forces{W, Pi(), f.p, f.rho, f.v, w.psi, w.friction, w.v};
   }
   auto adami2012_forces(const Fluid& f, const Walls<D>& w) const {
     return Adami2012Forces{
@@ -68,21 +67,26 @@ template <int D, Backend<D> B, template <int> class Kernel> struct Wcsph {
                            w.monaghan2009);
     const auto f = fluid;
     const Kernel<D> W = this->W;
-    const Real rho0 = c.rho0, B_tait = c.B();
+    const Real rho0 = c.rho0, B_tait = c.B(), background = c.background;
     const Vec<D> g = c.gravity;
+    const Liquids liquids = c.liquids;
     const Density density{W, c.m_density};
     backend.sum_pairs("density", f, over(f, density),
                       over(w.akinci2012, Akinci2012Density{W, w.akinci2012.psi}),
                       over(w.adami2012, density), [=] FRESHET_LAMBDA(int i, Real sum) {
-                        f.rho[i] = sum;                                        // eq. 4
-                        f.p[i] = max(tait(B_tait, f.rho[i] / rho0), Real(0));  // eq. 7
+                        f.rho[i] = sum;                                                    // eq. 4
+                        f.p[i] = max(tait(B_tait, f.rho[i] / rho0, background), Real(0));  // eq. 7
                       });
     backend.share("rho, p", f, f.rho, f.p);
     extrapolate_to_walls(backend, w.adami2012, f, W, c);
-    backend.sum_pairs(
-        "forces", f, over(f, fluid_forces(f)), over(w.akinci2012, akinci2012_forces(f, w)),
-        over(w.adami2012, adami2012_forces(f, w)), over(w.monaghan2009, monaghan2009_forces(f, w)),
-        [=] FRESHET_LAMBDA(int i, Vec<D> sum) { f.a[i] = sum + g; });  // eq. 5
+    backend.sum_pairs("forces", f, over(f, fluid_forces(f)),
+                      over(w.akinci2012, akinci2012_forces(f, w.akinci2012)),
+                      over(w.adami2012, adami2012_forces(f, w)),
+                      over(w.monaghan2009, monaghan2009_forces(f, w)),
+                      [=] FRESHET_LAMBDA(int i, Vec<D> sum) {
+                        f.a[i] = liquids.lightness(f, i) * sum + g;
+                      });  // eq. 5
+    ask_bodies(backend, w, f, c.support, akinci2012_forces(f, w.of_bodies));
   }
 };
 

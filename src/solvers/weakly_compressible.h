@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 /// What the weakly compressible solvers share: numbers, the equation of state, Adami's walls.
 #pragma once
+#include <utility>
+
 #include "boundary/confinement.h"
+#include "core/fluid_particles.h"
 #include "freshet/time_step.h"
 #include "pairs/adami2012.h"
 #include "pairs/monaghan2009.h"
+#include "solvers/body_coupling.h"
 #include "solvers/integrators.h"
+#include "solvers/non_pressure_forces.h"
 #include "solvers/wall_samples.h"
 
 namespace freshet {
@@ -14,23 +19,50 @@ inline namespace FRESHET_ISA {
 template <int D> struct WeaklyCompressibleParameters {
   Real support, h;    ///< support radius, half of it [m]
   Real m, m_density;  ///< mass [kg]; mass over the kernel's lattice sum [kg]
-  Real rho0, c0;      ///< rest density [kg/m^D], speed of sound [m/s]
+  Real rho0, c0;      ///< of the densest liquid: rest density [kg/m^D], speed of sound [m/s]
+  Real background;    ///< pressure at rest density [Pa]
   Real alpha, delta;  ///< of artificial viscosity and of density diffusion
-  Vec<D> gravity;     ///< [m/s^2]
+  Liquids liquids;
+  Real lightest;   ///< the greatest lightness
+  Vec<D> gravity;  ///< [m/s^2]
   Confinement<D> confine;
   Integrator integrator;
 
   Real eps_h2() const { return Real(0.01f) * h * h; }
   /// B in p = B((rho/rho0)^7 - 1), so that sound has c0: B = rho0 c0^2/7
   Real B() const { return rho0 * c0 * c0 / 7; }
+  /// What sound and its viscosity are in the lightest liquid, of as much bulk modulus.
+  double fastest_sound() const { return double(c0) * std::sqrt(double(lightest)); }
+  double artificial_nu() const {
+    return double(alpha) * double(h) * double(c0) / (2 * (D + 2)) * double(lightest);
+  }
   /// K of the repulsive walls: (0.1 c0)^2, as c0 is ten times the fastest flow sqrt(2 g depth)
   Real repulsion() const { return square(Real(0.1f) * c0); }
 };
 
-/// p = B((rho/rho0)^7 - 1)  [Becker and Teschner 2007, eq. 7]
-FRESHET_HD Real tait(Real B, Real rho_over_rho0) {
+/// p = B((rho/rho0)^7 - 1) + background  [Becker and Teschner 2007, eq. 7]
+FRESHET_HD Real tait(Real B, Real rho_over_rho0, Real background) {
   const Real q = rho_over_rho0, q2 = q * q;
-  return B * (q2 * q2 * q2 * q - 1);
+  return B * (q2 * q2 * q2 * q - 1) + background;
+}
+
+/// One step: rates() fills a by pressure, walls and gravity; `forces` adds what else acts, if
+/// anything does. Leapfrog needs the velocity's rate before it knows the step's: there the implicit
+/// part of them has a step of its own, after the other one [Lie's splitting].
+template <int D, class B, class Fluid, class Rates>
+void integrate_with(B& backend, const WeaklyCompressibleParameters<D>& c, const Fluid& f,
+                    const Walls<D>& w, const Tick& t, NonPressureForces<D, B>* forces,
+                    const Rates& rates) {
+  const bool leapfrog = c.integrator == Integrator::leapfrog;
+  const auto from = c.integrator == Integrator::symplectic_euler ? f.v
+                    : leapfrog                                   ? Field<Vec<D>>{}
+                                                                 : f.v_memory;
+  bool starts = leapfrog && t.step == 0;  // with rates that are no step's
+  integrate(backend, c.integrator, f, c.confine, t, [&] {
+    rates();
+    if (forces) forces->accelerate(backend, f, w, std::exchange(starts, false) ? 0 : t.dt, from);
+  });
+  if (forces && leapfrog) forces->relax(backend, f, w, t.dt);
 }
 
 /// p and v of Adami's wall particles. A wall pushes and never pulls.
@@ -41,11 +73,12 @@ void extrapolate_to_walls(B& backend, const AdamiWall<D>& wall, const Fluid& f, 
   backend.list_neighbors("walls", c.support, wall, f);
   const auto p = wall.p;
   const auto v = wall.v;
-  backend.sum_pairs("walls", wall, over(f, Adami2012Extrapolation{W, c.gravity, f.p, f.rho, f.v}),
+  const auto slide = wall.slide;
+  backend.sum_pairs("walls", wall, over(f, Adami2012Extrapolation{W, c.gravity, c.liquids, f}),
                     [=] FRESHET_LAMBDA(int w, const Adami2012Sums<D, Real>& sum) {
                       const bool wet = sum.W > 0;
                       p[w] = wet ? max((sum.p + sum.rho_x) / sum.W, Real(0)) : 0;
-                      v[w] = wet ? Real(-1) / sum.W * sum.v : Vec<D>{};
+                      v[w] = wet ? 2 * slide[w] - Real(1) / sum.W * sum.v : Vec<D>{};
                     });
 }
 

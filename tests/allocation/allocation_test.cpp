@@ -74,5 +74,13 @@ TEST(Allocation, NoneInAWarmStep) {
   }
 }
 
+// An inlet that has stopped, an outlet that nothing meets, and a counter.
+TEST(Allocation, NoneWhereNothingComesOrGoes) {
+  const std::string flows =
+      "[inlet]\ncenter = [0.5, 0.8]\ndirection = [0, -1]\nwidth = 0.1\nspeed = 5\nstop = 0.01\n"
+      "[outlet]\nmin = [2, 2]\nmax = [3, 3]\n[counter]\ncenter = [0.5, 0]\ndirection = [1, 0]\n";
+  EXPECT_EQ(0, allocations(tank("name = \"wcsph\"\n", flows, "step = 0.0005\n"), 2));
+}
+
 }  // namespace
 }  // namespace freshet::test

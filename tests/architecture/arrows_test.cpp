@@ -25,6 +25,7 @@ const std::map<std::string, std::set<std::string>> arrows{
     {"scene",
      {"api", "core", "kernels", "boundary", "formats", "mesh", "toml++", "fmt", "muParser.h",
       "nlohmann"}},
+    {"bodies", {"api", "core", "mesh", "scene", "btBulletDynamicsCommon.h"}},
     {"render", {"api", "boundary", "cairo", "core", "fmt", "mesh", "scene", "spng.h"}},
     {"io",
      {"api", "core", "render", "formats", "fmt", "nlohmann", "openssl", "hdf5.h", "commit.h"}},
@@ -33,8 +34,11 @@ const std::map<std::string, std::set<std::string>> arrows{
     {"backend/cpu", {"api", "core", "backend", "omp.h", "immintrin.h"}},
     {"backend/cuda", {"core", "kernels", "solvers", "backend/cuda"}},
     {"sim",
-     {"api", "core", "kernels", "pairs", "boundary", "scene", "solvers", "backend",
+     {"api", "bodies", "core", "kernels", "pairs", "boundary", "scene", "solvers", "backend",
       "backend/reference", "backend/cpu", "render", "io", "fmt"}},
+    {"validation",
+     {"api", "core", "scene", "render", "sim", "fmt", "toml++", "nlohmann", "openssl",
+      "muParser.h"}},
 };
 
 bool is_system(const std::string& include) {

@@ -7,15 +7,16 @@
 
 #include <cstdio>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 
 namespace {
 
-/// The weak symbols that the objects define.
+/// The weak symbols that the objects define, mangled: some are too long for demanglers.
 std::set<std::string> weak_symbols(const std::string& objects) {
   std::set<std::string> all;
-  FILE* nm = popen(("nm --defined-only -C " + objects).c_str(), "r");
+  FILE* nm = popen(("nm --defined-only " + objects).c_str(), "r");
   if (!nm) return all;
   static char line[1 << 16];
   while (std::fgets(line, sizeof line, nm)) {  // ADDRESS TYPE NAME
@@ -43,11 +44,12 @@ TEST(Symbols, BelongToOneInstructionSetOrToTheBaseline) {
   const std::set<std::string> base = weak_symbols(OBJECTS_sse42);
   EXPECT_GT(base.size(), 20u);
   for (const auto& [isa, files] : objects) {
+    // freshet::ISA, whose first part may stand for what was named before
+    const std::regex ours("(7freshet|S[0-9A-Z]*_)" + std::to_string(isa.size()) + isa);
     const std::set<std::string> weak = weak_symbols(files);
     EXPECT_GT(weak.size(), 20u) << isa;
     for (const std::string& name : weak)
-      EXPECT_TRUE(name.find("freshet::" + isa + "::") != std::string::npos || base.contains(name))
-          << isa << ": " << name;
+      EXPECT_TRUE(std::regex_search(name, ours) || base.contains(name)) << isa << ": " << name;
   }
 }
 

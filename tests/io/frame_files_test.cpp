@@ -77,7 +77,7 @@ TEST(ReadFrame, TellsWhatIsWrong) {
   EXPECT_EQ("a.csv:1: error: y is named twice; name every column once",
             refused("x,y,y\n", "a.csv"));
   EXPECT_EQ(
-      "a.csv:2: error: an id or a step is -1, and they are whole numbers; the file is damaged",
+      "a.csv:2: error: an id, a step or a liquid is -1, and they are whole numbers; the file is damaged",
       refused("x,y,id\n1,2,-1\n", "a.csv"));
   EXPECT_EQ("a.ply:3: error: its dimension is neither 2 nor 3; the file is damaged",
             refused("ply\nformat ascii 1.0\ncomment dimension 4\n", "a.ply"));

@@ -9,6 +9,7 @@
 #include "cli/process.h"
 #include "freshet/real.h"
 #include "mesh/triangle_mesh.h"
+#include "scene/body_shape.h"
 #include "scene/expressions.h"
 
 namespace freshet::test {
@@ -36,6 +37,12 @@ TEST_P(BadScene, IsRefusedInTheseWords) {
   if (GetParam().ends_with("_float") && sizeof(Real) != sizeof(float))
     GTEST_SKIP() << "the words name 32-bit numbers";
   if (GetParam().starts_with("mesh_") && !reads_meshes()) GTEST_SKIP() << "built without Assimp";
+  const bool free = GetParam().starts_with("body_") || GetParam().starts_with("joint_");
+  if (free && !moves_free_bodies()) GTEST_SKIP() << "built without Bullet";
+  if (GetParam().starts_with("without_bullet_") && moves_free_bodies())
+    GTEST_SKIP() << "built with Bullet";
+  if (GetParam().starts_with("body_function_") && !reads_expressions())
+    GTEST_SKIP() << "built without muParser";
   if (GetParam().starts_with("function_") && !reads_expressions())
     GTEST_SKIP() << "built without muParser";
   const std::string scene = "tests/scenes/bad/" + GetParam();

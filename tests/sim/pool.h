@@ -85,7 +85,7 @@ class Pool {
   std::vector<SolveStatistics> solves;
 
  private:
-  ParticleView view() const { return {2, id, x, v, density, pressure}; }
+  ParticleView view() const { return {2, id, x, v, density, pressure, {}}; }
 
   Scene scene_;
   Derived derived_;

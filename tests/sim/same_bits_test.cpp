@@ -31,10 +31,16 @@ std::string scene_of(const Words& w) {
   text += flat ? "max = [1.0, 1.0]\n" : "max = [0.6, 0.6, 0.6]\n";
   text += w.walls;
   text += flat ? "\n[particles]\nspacing = 0.05\njitter = 0.002\n"
-                 "[[fluid]]\nmin = [0.0, 0.0]\nmax = [1.0, 0.9]\nvelocity = [2.0, -1.0]\n"
-               : "\n[particles]\nspacing = 0.075\njitter = 0.002\n"
-                 "[[fluid]]\nmin = [0.0, 0.0, 0.0]\nmax = [0.6, 0.5, 0.6]\n"
+               : "\n[particles]\nspacing = 0.075\njitter = 0.002\n";
+  const std::string solver = w.solver;
+  text += flat ? "[[fluid]]\nmin = [0.0, 0.0]\nmax = [1.0, 0.9]\nvelocity = [2.0, -1.0]\n"
+               : "[[fluid]]\nmin = [0.0, 0.0, 0.0]\nmax = [0.6, 0.5, 0.6]\n"
                  "velocity = [2.0, -1.0, 1.0]\n";
+  if (solver.find("surface_tension_method") != std::string::npos)
+    text += "viscosity = 20.0\nsurface_tension = 2.0\n";
+  if (solver.find("surface_tension_method") != std::string::npos &&
+      std::string(w.walls).find("akinci2012") != std::string::npos)
+    text += "adhesion = 0.5\n";
   text += "[solver]\n" + std::string(w.solver);
   text += "\n[time]\nend = 1.0\n" +
           (*w.integrator ? "integrator = \"" + std::string(w.integrator) + "\"\n" : std::string());
@@ -199,6 +205,58 @@ INSTANTIATE_TEST_SUITE_P(Pushed, SameBits,
                          ::testing::Values(Words{2, wcsph_c2, pushed, "leapfrog"},
                                            Words{2, iisph, pushed, "", adaptive},
                                            Words{2, dfsph_hasty, pushed, "", "0.004"}));
+
+// Everything that acts beside pressure, at once.
+#define FRESHET_ALL_FORCES                                                                \
+  "vorticity_method = \"bender2017\"\nvorticity_transfer = 0.05\n[air]\ndensity = 20.0\n" \
+  "drag = \"gissler2017\"\nvelocity = "
+#define FRESHET_IMPLICIT "viscosity_method = \"weiler2018\"\n"
+#define FRESHET_AKINCI "surface_tension_method = \"akinci2013\"\n"
+constexpr const char* wcsph_forces =
+    "name = \"wcsph\"\nsound_speed = 30.0\nkernel = \"wendland_c4\"\n" FRESHET_IMPLICIT
+        FRESHET_AKINCI FRESHET_ALL_FORCES "[-9.0, 3.0]\n";
+constexpr const char* wcsph_forces_3d =
+    "name = \"wcsph\"\nsound_speed = 30.0\n"
+    "viscosity_method = \"morris1997\"\n" FRESHET_AKINCI FRESHET_ALL_FORCES "[-9.0, 3.0, 4.0]\n";
+constexpr const char* delta_forces =
+    "name = \"delta_sph\"\nsound_speed = 30.0\n" FRESHET_IMPLICIT FRESHET_AKINCI FRESHET_ALL_FORCES
+    "[-9.0, 3.0]\n";
+constexpr const char* dfsph_forces =
+    "name = \"dfsph\"\n" FRESHET_IMPLICIT FRESHET_AKINCI FRESHET_ALL_FORCES "[-9.0, 3.0]\n";
+constexpr const char* dfsph_forces_hasty =
+    "name = \"dfsph\"\nmax_iterations = 3\n" FRESHET_IMPLICIT FRESHET_AKINCI FRESHET_ALL_FORCES
+    "[-9.0, 3.0]\n";
+constexpr const char* dfsph_forces_3d =
+    "name = \"dfsph\"\nkernel = \"wendland_c2\"\n" FRESHET_IMPLICIT FRESHET_AKINCI
+        FRESHET_ALL_FORCES "[-9.0, 3.0, 4.0]\n";
+constexpr const char* pbf_forces =
+    "name = \"pbf\"\nviscosity_method = \"morris1997\"\n" FRESHET_AKINCI FRESHET_ALL_FORCES
+    "[-9.0, 3.0]\n";
+
+// Shifted, and between a wall that slides and its images beyond periodic ends.
+constexpr const char* delta_shifts =
+    "name = \"delta_sph\"\nsound_speed = 30.0\nbackground_pressure = 2000.0\n"
+    "shifting_method = \"sun2017\"\nviscosity_method = \"morris1997\"";
+constexpr const char* dfsph_shifts = "name = \"dfsph\"\nshifting_method = \"sun2017\"";
+constexpr const char* lid =
+    "periodic = \"x\"\n[walls]\nmethod = \"adami2012\"\n[[wall]]\nshape = \"plane\"\n"
+    "point = [0, -0.05]\nnormal = [0, -1]\nside = \"inside\"\nmethod = \"adami2012\"\n"
+    "velocity = [2, 0]\n";
+INSTANTIATE_TEST_SUITE_P(Shifted, SameBits,
+                         ::testing::Values(Words{2, delta_shifts, lid, "symplectic_euler"},
+                                           Words{3, delta_shifts, adami, "leapfrog", adaptive},
+                                           Words{2, dfsph_shifts, akinci, "", adaptive}));
+
+INSTANTIATE_TEST_SUITE_P(Forced, SameBits,
+                         ::testing::Values(Words{2, wcsph_forces, akinci, "symplectic_euler"},
+                                           Words{2, wcsph_forces, adami, "leapfrog", adaptive},
+                                           Words{2, wcsph_forces, periodic_x_samples, "verlet"},
+                                           Words{2, delta_forces, akinci, "leapfrog"},
+                                           Words{2, dfsph_forces, akinci, "", adaptive},
+                                           Words{2, dfsph_forces_hasty, akinci_slips, "", "0.004"},
+                                           Words{2, pbf_forces, akinci, ""},
+                                           Words{3, wcsph_forces_3d, adami, "symplectic_euler"},
+                                           Words{3, dfsph_forces_3d, akinci, "", adaptive}));
 
 // A drop a thousand domains away costs neither memory nor bits.
 TEST(FarFlung, HasTheReferencesBits) {

@@ -56,6 +56,13 @@ template <int D, class Solver, int side = D == 2 ? 12 : 7> struct Patch {
   Solver solver_;
 };
 
+/// One liquid, without viscosity of its own.
+inline Liquids one_liquid() {
+  Liquids all{};
+  for (Liquid& liquid : all.liquid) liquid.lightness = 1;
+  return all;
+}
+
 /// Of the paper's scheme, in units in which a resting particle's density is 1.
 template <int D> Mueller2003Parameters<D> mueller2003_patch(Integrator integrator) {
   const Real spacing = Real(0.1), speed_of_sound = 10;
@@ -63,6 +70,7 @@ template <int D> Mueller2003Parameters<D> mueller2003_patch(Integrator integrato
   c.h = 2 * spacing;
   c.m = c.m_density = D == 2 ? spacing * spacing : spacing * spacing * spacing;
   c.rho0 = Real(0.5);
+  c.liquids = one_liquid();
   c.k = speed_of_sound * speed_of_sound;
   c.mu = Real(0.1);
   c.integrator = integrator;
@@ -79,6 +87,7 @@ template <int D> WeaklyCompressibleParameters<D> weakly_compressible_patch(Integ
   c.support = 2 * c.h;
   c.m = c.m_density = D == 2 ? spacing * spacing : spacing * spacing * spacing;
   c.rho0 = Real(0.8);
+  c.liquids = one_liquid();
   c.c0 = 10;
   c.alpha = Real(0.05);
   c.delta = Real(0.1);

@@ -90,6 +90,7 @@ template <int D> class CpuCellGrid {
     });
     Box all;
     for (int k = 0; k < parts; ++k) all.add(boxes[k].low), all.add(boxes[k].high);
+    if (n_ == 0) all.low = all.high = {};  // no place is special
     const Cell<D> low = cells_(all.low), high = cells_(all.high);
     std::int64_t sides[D];
     for (int d = 0; d < D; ++d) {

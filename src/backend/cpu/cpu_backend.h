@@ -7,7 +7,8 @@
 
 #include "backend/copies.h"
 #include "backend/cpu/neighbor_lists.h"
-#include "backend/fixed_point.h"
+#include "backend/edit.h"
+#include "backend/group_sums.h"
 #include "backend/timings.h"
 #include "core/over.h"
 
@@ -25,17 +26,15 @@ template <int D> class CpuBackend {
     set.n = n;
     set.set = int(sets_.size());
     sets_.push_back(std::make_unique<Set>(std::move(rules)));
+    sets_.back()->room = n;
   }
   /// Memory for one T a particle and copy, all zeros; the backend owns it and sorts what is kept.
+  /// Where the set will be edited, `field` must stay where it is.
   template <class T> void allocate(const Particles<D>& set, Keep keep, Field<T>& field) {
-    auto& memory = memory_.emplace_back();
-    const std::size_t room = std::size_t(set.n) * std::size_t(of(set).copies.room()) + lanes;
-    field.data = reinterpret_cast<T*>(memory.reserve(room * sizeof(T)));
-    threads_.blocks(set.n + lanes, [&](int b, int e) {  // the pages go to the threads that use them
-      std::memset(static_cast<void*>(field.data + b), 0, std::size_t(e - b) * sizeof(T));
-    });
-    if (keep == Keep::kept)
-      of(set).kept.push_back({reinterpret_cast<std::byte*>(field.data), sizeof(T), {}});
+    Memory& m = of(set).memory.emplace_back();
+    m.field = FieldOfSet::of(keep, field);
+    reserve(of(set), m);
+    clear(m, 0, set.n + lanes);
   }
   const std::vector<VerbTiming>& timings() const { return timings_.list(); }
 
@@ -43,23 +42,50 @@ template <int D> class CpuBackend {
   void save(const char* name, const Particles<D>& p) { copy_kept(name, p, true); }
   void restore(const char* name, const Particles<D>& p) { copy_kept(name, p, false); }
 
-  /// Sorts `moving` (and, the first time, the sets that stand still), then lists for each of its
-  /// particles the neighbours in every set.
+  /// Between steps: takes away the particles at the places `gone` (ascending), and puts `more` new
+  /// ones, all zeros, behind the others, which keep all their fields. Copies and lists are void
+  /// until the next search.
+  void edit(const char* name, Particles<D>& p, std::span<const int> gone, int more) {
+    const auto timer = timings_.time(name, p.n);
+    Set& set = of(p);
+    const int left = p.n - int(gone.size()), n = left + more;
+    const bool grows = n > set.room;
+    set.room = roomier(n, set.room);
+    for (Memory& m : set.memory) {
+      fill_gaps(m.data.get(), m.field.bytes, gone, p.n);
+      if (grows) {
+        const Buffer<std::byte> before = std::exchange(m.data, {});
+        reserve(set, m);
+        threads_.blocks(left, [&](int b, int e) {
+          const std::size_t first = std::size_t(b) * m.field.bytes;
+          std::memcpy(m.data.get() + first, before.get() + first,
+                      std::size_t(e - b) * m.field.bytes);
+        });
+      }
+      clear(m, left, n + lanes);
+    }
+    p.n = n;
+    p.copies = 0;
+    set.copies.forget();
+  }
+
+  /// Sorts `moving` (and other sets that move; the first time those that stand still as well), then
+  /// lists for each of its particles the neighbours in every set.
   template <class... Fixed>
   void find_neighbors(const char* name, Real support_radius, Particles<D>& moving,
                       const Fixed&... fixed) {
     const auto timer = timings_.time(name, moving.n);
     sort(support_radius, moving);
     copy(support_radius, moving);
-    (sort_once(support_radius, fixed), ...);
+    (sort_if_needed(support_radius, fixed), ...);
     list(support_radius, moving, moving);
     (list(support_radius, moving, fixed), ...);
   }
-  /// Lists for `targets` that stand still the neighbours among `sources`, which have been sorted.
+  /// Lists for `targets` the neighbours among `sources`, which have been sorted.
   void list_neighbors(const char* name, Real support_radius, const Particles<D>& targets,
                       const Particles<D>& sources) {
     const auto timer = timings_.time(name, targets.n);
-    sort_once(support_radius, targets);
+    sort_if_needed(support_radius, targets);
     list(support_radius, targets, sources);
   }
 
@@ -98,6 +124,7 @@ template <int D> class CpuBackend {
   }
 
   template <class Map> double sum(const char* name, const Particles<D>& p, const Map& map) {
+    if (p.n == 0) return 0;
     const FixedPoint fixed(
         max(name, p, [=] FRESHET_LAMBDA(int i) { return std::abs(double(map(i))); }), p.n);
     std::int64_t* parts = whole_parts_.reserve(std::size_t(p.n / Threads::block + 1));
@@ -111,32 +138,53 @@ template <int D> class CpuBackend {
     return fixed.value(total);
   }
 
+  /// The sums of map(i).value by map(i).group, one number a group and component, by fixed point.
+  template <class Map, class Sum>
+  void sum_groups(const char* name, const Particles<D>& p, int groups, const Map& map, Sum* sums) {
+    const auto timer = timings_.time(name, p.n);
+    group_sums_.add(p.n, groups, map, sums);
+  }
+
  private:
-  struct KeptField {
-    std::byte* data;
-    std::size_t bytes;  // a particle
-    Buffer<std::byte> saved;
+  struct Memory {
+    FieldOfSet field;
+    Buffer<std::byte> data, saved;
   };
   struct Set {
     explicit Set(typename Copies<D>::Rules rules) : copies(std::move(rules)) {}
     Copies<D> copies;
-    std::vector<KeptField> kept;
+    int room = 0;  // for so many particles there is memory
+    std::vector<Memory> memory;
     CpuCellGrid<D> grid, copy_grid;
     bool sorted = false;
     std::vector<std::unique_ptr<SlicedLists<D>>> lists;  // by number of the source set
   };
   void copy_kept(const char* name, const Particles<D>& p, bool save) {
     const auto timer = timings_.time(name, p.n);
-    for (KeptField& field : of(p).kept) {
-      std::byte* saved = field.saved.reserve(std::size_t(p.n) * field.bytes);
+    for (Memory& m : of(p).memory) {
+      if (m.field.keep != Keep::kept) continue;
+      const std::size_t bytes = m.field.bytes;
+      std::byte *saved = m.saved.reserve(std::size_t(p.n) * bytes), *data = m.data.get();
       threads_.blocks(p.n, [&](int b, int e) {
-        const std::size_t first = std::size_t(b) * field.bytes;
-        std::memcpy((save ? saved : field.data) + first, (save ? field.data : saved) + first,
-                    std::size_t(e - b) * field.bytes);
+        const std::size_t first = std::size_t(b) * bytes;
+        std::memcpy((save ? saved : data) + first, (save ? data : saved) + first,
+                    std::size_t(e - b) * bytes);
       });
     }
   }
   Set& of(const Particles<D>& p) { return *sets_[std::size_t(p.set)]; }
+
+  void reserve(const Set& set, Memory& m) {
+    const std::size_t room = std::size_t(set.room) * std::size_t(set.copies.room()) + lanes;
+    m.field.point(m.field.field, m.data.reserve(room * m.field.bytes));
+  }
+  /// Zeros; the pages go to the threads that use them.
+  void clear(Memory& m, int begin, int end) {
+    threads_.blocks(end - begin, [&](int b, int e) {
+      std::memset(m.data.get() + std::size_t(begin + b) * m.field.bytes, 0,
+                  std::size_t(e - b) * m.field.bytes);
+    });
+  }
 
   template <class Finish, class... Overs>
   void sum_over(const char* name, const Particles<D>& targets, const Finish& finish,
@@ -157,24 +205,26 @@ template <int D> class CpuBackend {
     Set& set = of(p);
     set.grid.build(threads_, h, p);
     set.grid.write(threads_, p);
-    for (const KeptField& field : set.kept) {
-      if (field.data == static_cast<void*>(p.x.data) || field.data == static_cast<void*>(p.id.data))
-        continue;             // written by the grid
-      switch (field.bytes) {  // copies of a known size are single moves
+    for (const Memory& m : set.memory) {
+      std::byte* data = m.data.get();
+      if (m.field.keep != Keep::kept || data == static_cast<void*>(p.x.data) ||
+          data == static_cast<void*>(p.id.data))
+        continue;               // the grid writes x and id
+      switch (m.field.bytes) {  // copies of a known size are single moves
         case 4:
-          permute<4>(set.grid.order(), p.n, field.data);
+          permute<4>(set.grid.order(), p.n, data);
           break;
         case 8:
-          permute<8>(set.grid.order(), p.n, field.data);
+          permute<8>(set.grid.order(), p.n, data);
           break;
         case 12:
-          permute<12>(set.grid.order(), p.n, field.data);
+          permute<12>(set.grid.order(), p.n, data);
           break;
         case 16:
-          permute<16>(set.grid.order(), p.n, field.data);
+          permute<16>(set.grid.order(), p.n, data);
           break;
         default:
-          permute<24>(set.grid.order(), p.n, field.data);
+          permute<24>(set.grid.order(), p.n, data);
           break;
       }
     }
@@ -191,8 +241,8 @@ template <int D> class CpuBackend {
     set.copies.permute(set.copy_grid.order());
     set.copies.place(p);
   }
-  void sort_once(Real h, const Particles<D>& p) {
-    if (!of(p).sorted) sort(h, p);
+  void sort_if_needed(Real h, const Particles<D>& p) {
+    if (p.moves || !of(p).sorted) sort(h, p);
   }
 
   template <std::size_t bytes> void permute(const int* order, int n, std::byte* data) {
@@ -320,11 +370,11 @@ template <int D> class CpuBackend {
   Threads threads_;
   Timings timings_;
   std::vector<std::unique_ptr<Set>> sets_;
-  std::vector<Buffer<std::byte>> memory_;
   Buffer<std::byte> spare_;
   Buffer<Real> records_[4];
   Buffer<double> parts_;
   Buffer<std::int64_t> whole_parts_;
+  GroupSums group_sums_;
 };
 
 }  // namespace FRESHET_ISA

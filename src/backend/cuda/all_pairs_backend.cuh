@@ -76,6 +76,15 @@ template <int D> class AllPairsBackend {
     for (int i = 0; i < p.n; ++i) total += values[i];
     return total;
   }
+  template <class Map, class Sum>
+  void sum_groups(const char*, const Particles<D>& p, int groups, const Map& map, Sum* sums) {
+    cudaDeviceSynchronize();
+    for (int g = 0; g < groups; ++g) sums[g] = Sum{};
+    for (int i = 0; i < p.n; ++i) {
+      const auto item = map(i);
+      for (int c = 0; c < Sum::size; ++c) sums[item.group][c] += item.value[c];
+    }
+  }
 
  private:
   static constexpr int threads = 128;

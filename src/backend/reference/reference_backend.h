@@ -4,9 +4,11 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <span>
 
 #include "backend/copies.h"
-#include "backend/fixed_point.h"
+#include "backend/edit.h"
+#include "backend/group_sums.h"
 #include "backend/reference/neighbor_lists.h"
 #include "backend/timings.h"
 #include "core/over.h"
@@ -26,25 +28,54 @@ template <int D> class ReferenceBackend {
     set.n = n;
     set.set = int(copies_.size());
     copies_.emplace_back(std::move(rules));
+    room_.push_back(n);
   }
-  /// Memory for one T a particle and copy, all zeros; the backend owns it.
+  /// Memory for one T a particle and copy, all zeros; the backend owns it. Where the set will be
+  /// edited, `field` must stay where it is.
   template <class T> void allocate(const Particles<D>& set, Keep keep, Field<T>& field) {
-    const std::size_t room = std::size_t(copies_[std::size_t(set.set)].room());
-    const std::size_t bytes = sizeof(T) * std::size_t(set.n);
-    memory_.push_back(std::make_unique<std::byte[]>(bytes * room));
-    field.data = reinterpret_cast<T*>(memory_.back().get());
-    if (keep == Keep::kept) kept_.push_back({set.set, memory_.back().get(), bytes, {}});
+    Memory memory{set.set, FieldOfSet::of(keep, field), {}, {}};
+    memory.data = room_for(room_[std::size_t(set.set)], memory);
+    memory.field.point(&field, memory.data.get());
+    memory_.push_back(std::move(memory));
   }
   const std::vector<VerbTiming>& timings() const { return timings_.list(); }
 
   /// Copies of what is kept, for a step that may be taken back.
   void save(const char*, const Particles<D>& p) {
-    for (KeptField& field : kept_)
-      if (field.set == p.set) field.saved.assign(field.data, field.data + field.bytes);
+    for (Memory& m : memory_)
+      if (m.set == p.set && m.field.keep == Keep::kept)
+        m.saved.assign(m.data.get(), m.data.get() + std::size_t(p.n) * m.field.bytes);
   }
   void restore(const char*, const Particles<D>& p) {
-    for (KeptField& field : kept_)
-      if (field.set == p.set) std::copy(field.saved.begin(), field.saved.end(), field.data);
+    for (Memory& m : memory_)
+      if (m.set == p.set && m.field.keep == Keep::kept)
+        std::copy(m.saved.begin(), m.saved.end(), m.data.get());
+  }
+  /// Between steps: takes away the particles at the places `gone` (ascending), and puts `more` new
+  /// ones, all zeros, behind the others, which keep all their fields. Copies and lists are void
+  /// until the next search.
+  void edit(const char* name, Particles<D>& p, std::span<const int> gone, int more) {
+    const auto timer = timings_.time(name, p.n);
+    const int left = p.n - int(gone.size()), n = left + more;
+    int& room = room_[std::size_t(p.set)];
+    const bool grows = n > room;
+    room = roomier(n, room);
+    for (Memory& m : memory_) {
+      if (m.set != p.set) continue;
+      const std::size_t bytes = m.field.bytes;
+      close_gaps(m.data.get(), bytes, gone, p.n);
+      if (grows) {
+        auto larger = room_for(room, m);
+        std::copy_n(m.data.get(), std::size_t(left) * bytes, larger.get());
+        m.data = std::move(larger);
+        m.field.point(m.field.field, m.data.get());
+      }
+      std::fill_n(m.data.get() + std::size_t(left) * bytes, std::size_t(more) * bytes,
+                  std::byte(0));
+    }
+    p.n = n;
+    p.copies = 0;
+    copies_[std::size_t(p.set)].forget();
   }
 
   template <class... Sets>
@@ -93,19 +124,31 @@ template <int D> class ReferenceBackend {
   }
 
   template <class Map> double sum(const char* name, const Particles<D>& p, const Map& map) {
+    if (p.n == 0) return 0;
     const FixedPoint fixed(max(name, p, [&](int i) { return std::abs(double(map(i))); }), p.n);
     std::int64_t total = 0;
     for (int i = 0; i < p.n; ++i) total += fixed.whole(map(i));
     return fixed.value(total);
   }
 
+  /// The sums of map(i).value by map(i).group, one number a group and component, by fixed point.
+  template <class Map, class Sum>
+  void sum_groups(const char* name, const Particles<D>& p, int groups, const Map& map, Sum* sums) {
+    const auto timer = timings_.time(name, p.n);
+    group_sums_.add(p.n, groups, map, sums);
+  }
+
  private:
-  struct KeptField {
+  struct Memory {
     int set;
-    std::byte* data;
-    std::size_t bytes;
+    FieldOfSet field;
+    std::unique_ptr<std::byte[]> data;
     std::vector<std::byte> saved;
   };
+  std::unique_ptr<std::byte[]> room_for(int particles, const Memory& m) const {
+    const std::size_t each = std::size_t(copies_[std::size_t(m.set)].room()) * m.field.bytes;
+    return std::make_unique<std::byte[]>(std::size_t(particles) * each);
+  }
 
   void list(Real h, const Particles<D>& targets, const Particles<D>& sources) {
     if (targets.n == 0 || sources.n == 0) return;
@@ -159,9 +202,10 @@ template <int D> class ReferenceBackend {
   std::vector<Copies<D>> copies_;              // by set
   std::vector<std::vector<Vec<D>>> searched_;  // by set: positions when neighbours were found
   std::map<std::pair<int, int>, NeighborLists<D>> lists_;  // by targets and sources
-  std::vector<KeptField> kept_;
+  std::vector<int> room_;                                  // by set: for so many particles
   std::vector<std::byte> neighbor_memory_, sum_memory_;
-  std::vector<std::unique_ptr<std::byte[]>> memory_;
+  std::vector<Memory> memory_;
+  GroupSums group_sums_;
   Timings timings_;
 };
 

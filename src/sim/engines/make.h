@@ -59,8 +59,8 @@ auto solver_of(const EngineInput& in, const Kernel<D>& W) {
     const auto c = weakly_compressible_parameters<D>(in.scene, in.derived);
     if constexpr (solver == SolverName::wcsph) return Wcsph<D, B, Kernel>{c, W};
     else
-      return DeltaSph<D, B, Kernel>{
-          c, W, in.scene.solver.density_diffusion == DensityDiffusion::antuono2010};
+      return DeltaSph<D, B, Kernel>{c, W,
+                                    in.scene.density_diffusion() == DensityDiffusion::antuono2010};
   }
 }
 

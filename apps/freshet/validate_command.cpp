@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "freshet/validate.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "command.h"
+
+namespace freshet::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ValidateArguments {
+  std::vector<std::string> cases, solvers;
+  std::optional<double> resolution;
+  std::string report, output = "runs/validation";
+  int jobs = 1;
+  bool all = false, short_form = false, json = false;
+};
+
+std::vector<ValidationCase> cases_that_come_along() {
+  for (const fs::path& folder : folders_that_come_along("validation"))
+    if (auto cases = validation_cases(folder); !cases.empty()) return cases;
+  throw Error(Error::Kind::scene, "",
+              "no validation cases come along; is Freshet installed whole?");
+}
+
+/// Those that are asked for: by name, or a folder with a case.toml.
+std::vector<ValidationCase> chosen(const ValidateArguments& a) {
+  if (a.all) return cases_that_come_along();
+  std::vector<ValidationCase> found;
+  for (const std::string& name : a.cases) {
+    std::error_code ec;
+    if (fs::is_regular_file(fs::path(name) / "case.toml", ec)) {
+      found.push_back(read_validation_case(fs::weakly_canonical(name)));
+      continue;
+    }
+    std::vector<std::string> names;
+    for (ValidationCase& c : cases_that_come_along()) {
+      names.push_back(c.name);
+      if (c.name == name) found.push_back(std::move(c));
+    }
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw Error(Error::Kind::scene, name,
+                  fmt::format("no case of that name; there are {}", fmt::join(names, ", ")));
+  }
+  return found;
+}
+
+void list() {
+  for (const ValidationCase& c : cases_that_come_along())
+    fmt::print("{:<24} {}{}\n", c.name, c.title,
+               c.short_form ? fmt::format(" (short: {})", c.short_form->cost) : "");
+}
+
+/// A line for each run, and one for each measure that missed.
+void tell(const ValidationRun& r, std::size_t done, std::size_t all) {
+  const char* word = r.as_expected()   ? r.passed() ? "passed" : "fails, as expected"
+                     : r.passed()      ? "passes, though it was expected to fail"
+                     : r.error.empty() ? "MISSED"
+                                       : "FAILED";
+  fmt::print(stderr, "[{}/{}] {} {} {:g} m: {} ({} particles, {:.1f} s)\n", done, all, r.case_name,
+             r.solver, r.spacing, word, r.particles, r.seconds);
+  if (!r.error.empty()) fmt::print(stderr, "    {}\n", r.error);
+  for (const ValidationResult& v : r.results)
+    fmt::print(stderr, "    {:<28} {:.4g}{}\n", v.name, v.value,
+               v.bound ? fmt::format(" (bound {:g}){}", *v.bound, v.passed ? "" : " missed") : "");
+}
+
+void write(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream out(file, std::ios::binary);
+  if (!(out << text).flush())
+    throw Error(Error::Kind::run, file.string(), "cannot be written; is there room, and may you?");
+}
+
+int validate_with(const ValidateArguments& a) {
+  ValidateOptions options;
+  options.cases = chosen(a);
+  options.solvers = a.solvers;
+  options.spacing = a.resolution;
+  options.short_form = a.short_form;
+  options.jobs = a.jobs;
+  options.output = a.output;
+  options.after_run = tell;
+  const auto runs = validate(options);
+  if (runs.empty())
+    throw Error(Error::Kind::scene, "--solver",
+                "none of the cases is run with it; see freshet validate for the cases, and their "
+                "case.toml for the solvers");
+  if (!a.report.empty()) {
+    write(fs::path(a.report) / "index.html", validation_html(options.cases, runs));
+    write(fs::path(a.report) / "validation.json", validation_json(runs));
+    write(fs::path(a.report) / "validation.md", validation_markdown(options.cases, runs));
+    fmt::print(stderr, "wrote {}\n", (fs::path(a.report) / "index.html").string());
+  }
+  if (a.json) fmt::print("{}", validation_json(runs));
+  const auto bad =
+      std::count_if(runs.begin(), runs.end(), [](auto& r) { return !r.as_expected(); });
+  fmt::print(stderr, "{} of {} runs are as they should be\n", runs.size() - std::size_t(bad),
+             runs.size());
+  return bad ? failed : done;
+}
+
+}  // namespace
+
+void add_validate(CLI::App& app, int& code) {
+  const auto a = std::make_shared<ValidateArguments>();
+  CLI::App* command =
+      app.add_subcommand("validate", "Hold simulations against experiments and closed forms");
+  command->add_option("CASE", a->cases, "cases to run (none: they are listed), or folders of them");
+  command->add_flag("--all", a->all, "all cases");
+  command->add_option("--solver", a->solvers, "these solvers only")->take_all();
+  command->add_option("--resolution", a->resolution, "another particles.spacing [m]")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--short", a->short_form, "coarser, with fewer solvers: minutes for all");
+  command
+      ->add_option("--jobs", a->jobs, "runs at a time, a thread each (default: one, all threads)")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--output", a->output, "where the runs go (default: runs/validation)");
+  command->add_option("--report", a->report,
+                      "folder for index.html, validation.json and validation.md");
+  command->add_flag("--json", a->json, "the results as JSON, on standard output");
+  command->footer(
+      "The exit code is 1 where a stated bound is missed.\nExamples:\n  freshet validate\n"
+      "  freshet validate dam_break_front --solver dfsph\n"
+      "  freshet validate --all --short --jobs 2 --report validation_report");
+  command->callback([a, &code] {
+    if (a->cases.empty() && !a->all) list();
+    else code = validate_with(*a);
+  });
+}
+
+}  // namespace freshet::cli

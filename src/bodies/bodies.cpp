@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "bodies/bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "core/rotation.h"
+#include "scene/solid_of.h"
+
+namespace freshet {
+namespace {
+
+using Point = Vec<3, double>;
+
+Point point_of(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
+std::array<double, 3> array_of(Point p) { return {p.x, p.y, p.z}; }
+Point in_space(const Vector& v) { return {v[0], v[1], v.size() == 3 ? v[2] : 0.0}; }
+Point direction_of(const Vector& v) { return v.size() == 3 ? unit_of<3>(v) : Point{0, 0, 1}; }
+
+Point times(const double (&m)[3][3], Point a) {
+  return {m[0][0] * a.x + m[0][1] * a.y + m[0][2] * a.z,
+          m[1][0] * a.x + m[1][1] * a.y + m[1][2] * a.z,
+          m[2][0] * a.x + m[2][1] * a.y + m[2][2] * a.z};
+}
+
+/// m^-1 a, m symmetric and positive definite.
+Point solve(const double (&m)[3][3], Point a) {
+  const Point r0{m[0][0], m[0][1], m[0][2]}, r1{m[1][0], m[1][1], m[1][2]},
+      r2{m[2][0], m[2][1], m[2][2]};
+  const Point c0 = cross(r1, r2), c1 = cross(r2, r0), c2 = cross(r0, r1);
+  return (a.x * c0 + a.y * c1 + a.z * c2) / dot(r0, c0);
+}
+
+}  // namespace
+
+Bodies::Bodies(const Scene& s) : scene_(s), body_force_(s.domain.body_force) {
+  for (const Scene::Body& b : s.body) {
+    shapes_.push_back(body_shape(b));
+    motions_.emplace_back();
+    if (b.motion == BodyMotion::moved) motions_.back().emplace(b, s.dimension());
+    any_free_ |= b.motion == BodyMotion::free;
+    BodyState state;
+    state.position = array_of(shapes_.back().center);
+    if (b.motion == BodyMotion::free) {
+      state.velocity = array_of(in_space(b.velocity));
+      state.angular_velocity = array_of(b.angular_velocity * direction_of(b.turn_axis));
+    }
+    states_.push_back(state);
+  }
+  last_forces_.resize(states_.size());
+  for (std::size_t k = 0; k < size(); ++k) states_[k] = placed(k, 0);
+  if (any_free_) world_.emplace(s, shapes_);
+}
+
+double Bodies::mass(std::size_t k) const {
+  const Scene::Body& b = scene_.body[k];
+  return b.mass.value_or(b.density.value_or(0) * shapes_[k].volume);
+}
+
+/// x = pivot + R (x0 - pivot) + translation
+BodyState Bodies::placed(std::size_t k, double time) const {
+  BodyState state = states_[k];
+  if (!motions_[k]) return state;
+  const Scene::Body& b = scene_.body[k];
+  const Displacement d = motions_[k]->at(time);
+  const Point axis = direction_of(b.turn_axis), center = shapes_[k].center,
+              pivot = b.pivot.empty() ? center : in_space(b.pivot), omega = d.rate[3] * axis;
+  state.orientation = rotation_by(d.value[3] * axis);
+  const Point arm = Rotation(state.orientation)(center - pivot);
+  state.position = array_of(pivot + arm + Point{d.value[0], d.value[1], d.value[2]});
+  state.velocity = array_of(Point{d.rate[0], d.rate[1], d.rate[2]} + cross(omega, arm));
+  state.angular_velocity = array_of(omega);
+  return state;
+}
+
+BodyState Bodies::at(std::size_t k, double time, double ahead) const {
+  BodyState state = placed(k, time + ahead);
+  if (ahead == 0 || scene_.body[k].motion != BodyMotion::free) return state;
+  state.position = array_of(point_of(state.position) + ahead * point_of(state.velocity));
+  state.orientation =
+      product(rotation_by(ahead * point_of(state.angular_velocity)), state.orientation);
+  return state;
+}
+
+std::array<SixNumbers, 6> Bodies::mobility(std::size_t k) const {
+  std::array<SixNumbers, 6> m{};
+  const Scene::Body& b = scene_.body[k];
+  if (b.motion != BodyMotion::free) return m;
+  const double mass = this->mass(k), density = mass / shapes_[k].volume;
+  const Rotation turn(states_[k].orientation);
+  const Point center = point_of(states_[k].position);
+  for (const Scene::Joint& joint : scene_.joint) {
+    if (joint.body != scene_.body_name(k)) continue;
+    const auto other =
+        std::find_if(scene_.body.begin(), scene_.body.end(), [&](const Scene::Body& o) {
+          return scene_.body_name(std::size_t(&o - scene_.body.data())) == joint.other;
+        });
+    if (other != scene_.body.end() && other->motion == BodyMotion::free) continue;
+    const Point axis = direction_of(joint.axis),
+                swing = cross(axis, center - in_space(joint.point));
+    const double inertia =
+        density * dot(axis, turn(times(shapes_[k].inertia, turn.inverse(axis)))) +
+        mass * norm2(swing);
+    const SixNumbers u{swing.x, swing.y, swing.z, axis.x, axis.y, axis.z};
+    for (std::size_t i = 0; i < 6; ++i)
+      for (std::size_t j = 0; j < 6; ++j) m[i][j] = u[i] * u[j] / inertia;
+    return m;
+  }
+  for (std::size_t i = 0; i < 3; ++i) m[i][i] = 1 / mass;
+  if (scene_.dimension() == 2) {
+    m[5][5] = 1 / (density * shapes_[k].inertia[2][2]);
+    return m;
+  }
+  for (std::size_t j = 0; j < 3; ++j) {
+    const Point unit{double(j == 0), double(j == 1), double(j == 2)};
+    const Point a = turn(solve(shapes_[k].inertia, turn.inverse(unit))) / density;
+    m[3][3 + j] = a.x, m[4][3 + j] = a.y, m[5][3 + j] = a.z;
+  }
+  return m;
+}
+
+Load Bodies::pull(std::size_t k, double time) const {
+  Load load;
+  if (scene_.body[k].motion != BodyMotion::free) return load;
+  double b[3] = {};
+  if (!body_force_.empty()) {
+    const auto& p = states_[k].position;
+    body_force_({p[0], p[1], p[2]}, time, b);
+  }
+  for (std::size_t d = 0; d < scene_.domain.gravity.size(); ++d)
+    load.force[d] = mass(k) * (scene_.domain.gravity[d] + b[d]);
+  return load;
+}
+
+void Bodies::step(double time, double dt, std::span<const SixNumbers> forces) {
+  std::vector<Load> loads;
+  for (std::size_t k = 0; k < size(); ++k) {
+    BodyState& state = states_[k];
+    Load load = pull(k, time);
+    for (std::size_t d = 0; d < 3; ++d) {
+      load.force[d] += state.force[d] = forces[k][d];
+      load.torque[d] += state.torque[d] = forces[k][3 + d];
+    }
+    loads.push_back(load);
+    state = placed(k, time);
+  }
+  if (world_) world_->step(states_, loads, dt);
+  for (std::size_t k = 0; k < size(); ++k) states_[k] = placed(k, time + dt);
+}
+
+double Bodies::fastest(double time) const {
+  double most = 0;
+  for (std::size_t k = 0; k < size(); ++k) {
+    const BodyState state = at(k, time, 0);
+    most = std::max(most, norm(point_of(state.velocity)) +
+                              shapes_[k].reach * norm(point_of(state.angular_velocity)));
+  }
+  return most;
+}
+
+}  // namespace freshet

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/field.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+/// Rigid bodies as a solver meets them in a step: how they move, how they answer to a push, and
+/// where on them their samples are.
+template <int D> struct RigidBodies {
+  static constexpr int freedoms = D == 3 ? 6 : 3;
+  /// Velocity and angular velocity, or force and torque, about the centre of mass.
+  struct Twist {
+    static constexpr int size = freedoms;
+    double c[freedoms] = {};
+    FRESHET_HD double operator[](int k) const { return c[k]; }
+    FRESHET_HD double& operator[](int k) { return c[k]; }
+    Twist& operator+=(const Twist& o) {
+      for (int k = 0; k < freedoms; ++k) c[k] += o[k];
+      return *this;
+    }
+    friend Twist operator*(double s, Twist t) {
+      for (double& x : t.c) x *= s;
+      return t;
+    }
+    friend Twist operator+(Twist a, const Twist& b) { return a += b; }
+    friend Twist operator-(Twist a, const Twist& b) { return a += -1.0 * b; }
+  };
+
+  struct Body {
+    Twist motion{};            ///< what its samples move by [m/s, rad/s]
+    Twist pull{};              ///< what gravity and the like change of it [m/s^2, rad/s^2]
+    Twist impulse{};           ///< what the fluid gave it in this step [N s, N m s]
+    Twist force{};             ///< what the fluid did when it was last asked [N, N m]
+    Twist force_before{};      ///< and the time before
+    Twist push{};              ///< scratch of a solve: what its pressures change of the motion
+    Twist before{};            ///< scratch of a solve: the motion before
+    Twist mobility[freedoms];  ///< zeros: nothing moves it
+    Twist answer(const Twist& to) const {
+      Twist a{};
+      for (int i = 0; i < freedoms; ++i)
+        for (int j = 0; j < freedoms; ++j) a[i] += mobility[i][j] * to[j];
+      return a;
+    }
+  };
+
+  std::vector<Body> all;
+  std::vector<int> body_of;    ///< by number of the sample
+  std::vector<Vec<D>> arm;     ///< from the centre of mass, along the axes of space [m]
+  std::vector<Twist> totals;   ///< scratch
+  std::uint64_t first_id = 0;  ///< of samples in the set of walls; images follow
+  Real m = 0;                  ///< of a particle [kg]
+  bool respond = false;        ///< whether any of them is moved by the fluid
+
+  int count() const { return int(all.size()); }
+};
+
+template <int D> FRESHET_HD Vec<D, double> each_double(Vec<D> a) {
+  if constexpr (D == 3) return {double(a.x), double(a.y), double(a.z)};
+  else return {double(a.x), double(a.y)};
+}
+/// The velocity at a place of a body.
+template <int D, class Twist> FRESHET_HD Vec<D> velocity_at(const Twist& t, Vec<D> arm) {
+  if constexpr (D == 3)
+    return {Real(t[0] + t[4] * double(arm.z) - t[5] * double(arm.y)),
+            Real(t[1] + t[5] * double(arm.x) - t[3] * double(arm.z)),
+            Real(t[2] + t[3] * double(arm.y) - t[4] * double(arm.x))};
+  else return {Real(t[0] - t[2] * double(arm.y)), Real(t[1] + t[2] * double(arm.x))};
+}
+/// A force there, as force and torque.
+template <int D> FRESHET_HD typename RigidBodies<D>::Twist wrench_of(Vec<D> f, Vec<D> arm) {
+  const Vec<D, double> F = each_double(f), r = each_double(arm);
+  if constexpr (D == 3)
+    return {{F.x, F.y, F.z, r.y * F.z - r.z * F.y, r.z * F.x - r.x * F.z, r.x * F.y - r.y * F.x}};
+  else return {{F.x, F.y, r.x * F.y - r.y * F.x}};
+}
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+/// Smoothed particle hydrodynamics [Monaghan 2005]: the viscosity of a liquid along the line of
+/// each pair. Weiler 2018 solves for the same term.
+#pragma once
+#include "pairs/per_liquid.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+/// f_i = sum_j 2 m mu_ij/(rho_i rho_j) (D + 2) (v_ij · x_ij)/(|x_ij|^2 + eps) grad W_ij
+/// [sec. 8, with the factor of a divergence-free flow in D dimensions; Weiler, Koschier, Brand,
+/// Bender 2018, eq. 5]: mu lap v/rho. Conserves both momenta.
+///
+///   m [kg], mu [Pa s], eps_h2 0.01 h^2 [m^2];  reads rho, and v: any field of velocities [m/s]
+template <int D, template <int> class Kernel> struct Monaghan2005Viscosity {
+  Kernel<D> W;
+  Real m, eps_h2;
+  PerLiquid mu;
+  Field<Real> rho;
+  Field<Vec<D>> v;
+  template <class R> struct At {
+    R mu, inv_rho;
+    Vec<D, R> v;
+  };
+  template <class R> using Neighbor = At<R>;
+  FRESHET_HD At<Real> at(int i) const { return {mu[i], 1 / rho[i], v[i]}; }
+  FRESHET_HD Neighbor<Real> neighbor(int j) const { return at(j); }
+  template <class R>
+  FRESHET_HD Vec<D, R> operator()(const Pair<D, R>& ij, const At<R>& i, const At<R>& j) const {
+    const R along = Real(D + 2) * dot(i.v - j.v, ij.x) / (ij.r2 + eps_h2);
+    return (2 * m * shared_viscosity(i.mu, j.mu) * i.inv_rho * j.inv_rho * along) * W.gradient(ij);
+  }
+};
+template <int D, template <int> class K, class... A>
+Monaghan2005Viscosity(K<D>, A...) -> Monaghan2005Viscosity<D, K>;
+
+/// The same of samples of walls at rest, as heavy as psi, as dense and as viscous as the particle.
+template <int D, template <int> class Kernel> struct Monaghan2005Akinci {
+  Kernel<D> W;
+  Real eps_h2;
+  PerLiquid mu;
+  Field<Real> rho;
+  Field<Vec<D>> v;
+  Field<Real> psi, friction;
+  template <class R> struct At {
+    R mu_rho2;
+    Vec<D, R> v;
+  };
+  template <class R> struct Neighbor { R psi; };
+  FRESHET_HD At<Real> at(int i) const { return {mu[i] / square(rho[i]), v[i]}; }
+  FRESHET_HD Neighbor<Real> neighbor(int k) const { return {psi[k] * friction[k]}; }
+  template <class R>
+  FRESHET_HD Vec<D, R> operator()(const Pair<D, R>& ik, const At<R>& i,
+                                  const Neighbor<R>& k) const {
+    const R along = Real(2 * (D + 2)) * dot(i.v, ik.x) / (ik.r2 + eps_h2);
+    return (k.psi * i.mu_rho2 * along) * W.gradient(ik);
+  }
+};
+template <int D, template <int> class K, class... A>
+Monaghan2005Akinci(K<D>, A...) -> Monaghan2005Akinci<D, K>;
+
+/// The same of the layers of walls, of a particle's mass and rest density, that move as `v_wall`
+/// says: at rest, or as the fluid's velocity goes on beyond the wall [Adami 2012, eq. 23].
+template <int D, template <int> class Kernel> struct Monaghan2005Adami {
+  Kernel<D> W;
+  Real m, rho0, eps_h2;
+  PerLiquid mu;
+  Field<Real> rho;
+  Field<Vec<D>> v;
+  Field<Real> friction;
+  Field<Vec<D>> v_wall;
+  bool at_rest;
+  template <class R> struct At {
+    R mu_rho;
+    Vec<D, R> v;
+  };
+  template <class R> struct Neighbor {
+    R friction;
+    Vec<D, R> v;
+  };
+  FRESHET_HD At<Real> at(int i) const { return {mu[i] / rho[i], v[i]}; }
+  FRESHET_HD Neighbor<Real> neighbor(int k) const {
+    return {friction[k], at_rest ? Vec<D>{} : v_wall[k]};
+  }
+  template <class R>
+  FRESHET_HD Vec<D, R> operator()(const Pair<D, R>& ik, const At<R>& i,
+                                  const Neighbor<R>& k) const {
+    const R along = Real(2 * (D + 2)) * dot(i.v - k.v, ik.x) / (ik.r2 + eps_h2);
+    return (k.friction * m / rho0 * i.mu_rho * along) * W.gradient(ik);
+  }
+};
+template <int D, template <int> class K, class... A>
+Monaghan2005Adami(K<D>, A...) -> Monaghan2005Adami<D, K>;
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

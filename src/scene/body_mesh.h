@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "freshet/scene.h"
+#include "mesh/triangle_mesh.h"
+
+namespace freshet {
+
+/// The surface of a body in 3D where it stands at the start, round ones by small triangles.
+TriangleMesh body_mesh(const Scene::Body& body);
+
+/// A surface as a Wavefront OBJ file, about the point `origin`.
+std::string encode_obj(const TriangleMesh& mesh, TriangleMesh::Point origin,
+                       const std::string& name);
+
+}  // namespace freshet

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <set>
+
+#include "scene/findings.h"
+#include "scene/keys.h"
+#include "scene/setup.h"
+
+namespace freshet {
+namespace {
+
+constexpr std::size_t most_probes = 1000;
+constexpr std::int64_t most_places = 100000;
+
+bool is_file_name(const std::string& name) {
+  return name.find_first_not_of(
+             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.") ==
+             std::string::npos &&
+         name[0] != '.';
+}
+
+/// What the kind reads has to be there, and the rest must not.
+void check_vectors(const Scene& s, const Scene::Probe& p, const std::string& at, Findings& out) {
+  const bool point = p.kind == ProbeKind::point;
+  const char* kind = probe_words[int(p.kind)];
+  const auto needs = [&](const char* key, const Vector& x) {
+    if (x.empty())
+      out.error(at + key, fmt::format("probe.{} is missing; a probe of kind \"{}\" needs it, as {} "
+                                      "numbers",
+                                      key, kind, s.dimension()));
+    else if (x.size() != std::size_t(s.dimension()))
+      out.error(at + key, fmt::format("probe.{} has {} numbers, and the domain is in {}D; give {}",
+                                      key, x.size(), s.dimension(), s.dimension()));
+  };
+  if (point) {
+    needs("at", p.at);
+    for (const char* key : {"from", "to"})
+      out.unused(at + key, fmt::format("probe.{}", key),
+                 "a point has probe.at; remove it, or choose kind = \"line\"");
+  } else {
+    needs("from", p.from);
+    needs("to", p.to);
+    out.unused(at + "at", "probe.at",
+               fmt::format("a {} goes from probe.from to probe.to; remove it", kind));
+    if (!p.from.empty() && p.from == p.to)
+      out.error(at + "to", "probe.to is where probe.from is; a line needs a length, move one");
+  }
+  if (p.kind != ProbeKind::line)
+    out.unused(at + "count", "probe.count",
+               fmt::format("a {} has no count; remove it, or choose kind = \"line\"", kind));
+}
+
+}  // namespace
+
+void check_probes(const Scene& s, Findings& out) {
+  if (s.probe.size() > most_probes)
+    return out.error("probe", fmt::format("there are {} probes; at most {} are allowed; a line of "
+                                          "many places is one probe",
+                                          s.probe.size(), most_probes));
+  std::set<std::string> names;
+  for (std::size_t k = 0; k < s.probe.size(); ++k) {
+    const Scene::Probe& p = s.probe[k];
+    const std::string at = fmt::format("probe[{}].", k);
+    check_vectors(s, p, at, out);
+    if (p.count > most_places)
+      out.error(at + "count", fmt::format("probe.count is {}; at most {} places are allowed",
+                                          p.count, most_places));
+    if (!p.name.empty() && !is_file_name(p.name))
+      out.error(at + "name", fmt::format("probe.name is \"{}\", and names a file; write it with "
+                                         "letters, digits, _, - and .",
+                                         p.name));
+    else if (!p.name.empty() && !names.insert(p.name).second)
+      out.error(at + "name",
+                fmt::format("two probes are named \"{}\"; give each a name of its own", p.name));
+  }
+}
+
+}  // namespace freshet

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+/// Puts the bodies of a scene to where the solver meets them, and takes its forces to them.
+#pragma once
+#include <map>
+
+#include "bodies/bodies.h"
+#include "boundary/wall_sets.h"
+#include "core/rotation.h"
+#include "freshet/time_step.h"
+#include "sim/engine.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+/// When in a step a solver finds its forces, and what they do: bodies are put to where they are
+/// then.
+struct ForceMoment {
+  double share;  ///< of the step that is gone
+  bool mean;     ///< the velocity changes by the mean of the forces before and after the step
+};
+
+template <int D> class CarriedBodies {
+ public:
+  using Twist = typename RigidBodies<D>::Twist;
+
+  CarriedBodies(const EngineInput& in, Walls<D>& walls, ForceMoment moment)
+      : bodies_(in.scene), moment_(moment) {
+    const BodySample& sample = in.sample.bodies;
+    for (std::size_t k = 0; k < sample.body.size(); ++k) {
+      const auto b = std::size_t(sample.body[k]);
+      Vec<3, double> x{sample.x[D * k], sample.x[D * k + 1], 0};
+      if (D == 3) x.z = sample.x[D * k + 2];
+      local_.push_back(x - bodies_.shape(b).center);
+      rigid_.body_of.push_back(int(b));
+    }
+    rigid_.arm.resize(local_.size());
+    rigid_.all.resize(bodies_.size());
+    rigid_.m = Real(in.derived.mass);
+    rigid_.respond = bodies_.any_free();
+    for (int k = 0; k < D; ++k)
+      if (in.scene.periodic(k)) {
+        periodic_.push_back(k);
+        low_.push_back(in.scene.domain.min[std::size_t(k)]);
+        length_.push_back(in.scene.domain.max[std::size_t(k)] - low_.back());
+      }
+    walls.bodies = &rigid_;
+    rigid_.first_id = std::uint64_t(walls.akinci2012.n);
+  }
+  CarriedBodies(const CarriedBodies&) = delete;
+
+  Bodies& bodies() { return bodies_; }
+  const Bodies& bodies() const { return bodies_; }
+  int samples() const { return int(local_.size()); }
+  int body_of(int sample) const { return rigid_.body_of[std::size_t(sample)]; }
+  /// How many times a sample stands among those of walls: with its images.
+  int places() const { return 1 << periodic_.size(); }
+
+  /// psi of the samples of each body, as if it were alone [Akinci 2012, eqs. 4 and 5].
+  template <class Kernel> std::vector<Real> psi(const Kernel& W, Real support, Real rho0) const {
+    std::map<std::array<std::int64_t, 4>, std::vector<int>> cells;
+    const auto cell = [&](int k, const int(&off)[3]) {
+      const auto& x = local_[std::size_t(k)];
+      const auto at = [&](double a, int d) {
+        return std::int64_t(std::floor(a / double(support))) + off[d];
+      };
+      return std::array<std::int64_t, 4>{body_of(k), at(x.x, 0), at(x.y, 1), at(x.z, 2)};
+    };
+    for (int k = 0; k < samples(); ++k) cells[cell(k, {0, 0, 0})].push_back(k);
+    std::vector<Real> all;
+    for (int k = 0; k < samples(); ++k) {
+      Real sum = 0;
+      for (int c = 0; c < 27; ++c) {
+        const auto near = cells.find(cell(k, {c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1}));
+        if (near == cells.end()) continue;
+        for (const int j : near->second) {
+          const auto x = local_[std::size_t(k)] - local_[std::size_t(j)];
+          if (norm2(x) < square(double(support))) sum += W(Pair<D, Real>(flat(x)));
+        }
+      }
+      all.push_back(rho0 / sum);
+    }
+    return all;
+  }
+
+  /// Before a step of dt from `time` on: samples to their places.
+  void begin(Walls<D>& walls, double time, double dt) {
+    const double ahead = moment_.share * dt;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      const BodyState now = bodies_.at(b, time, ahead);
+      auto& body = rigid_.all[b];
+      body.motion = twist(now.velocity, now.angular_velocity);
+      body.impulse = body.push = body.before = {};
+      body.force = body.force_before = flat(bodies_.last_forces()[b]);
+      const auto mobility = bodies_.mobility(b);
+      for (int i = 0; i < freedoms; ++i)
+        for (int j = 0; j < freedoms; ++j)
+          body.mobility[i][j] = mobility[std::size_t(axis(i))][std::size_t(axis(j))];
+      const Load pull = bodies_.pull(b, time);
+      body.pull = body.answer(twist(pull.force, pull.torque));
+      turn_.emplace_back(now.orientation);
+      center_.push_back({now.position[0], now.position[1], now.position[2]});
+    }
+    put(walls);
+    turn_.clear();
+    center_.clear();
+  }
+  /// After it: the bodies move.
+  void end(double time, double dt, bool iterates) {
+    std::vector<SixNumbers> forces(bodies_.size());
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      const auto& body = rigid_.all[b];
+      const Twist force = iterates       ? 1 / dt * body.impulse
+                          : moment_.mean ? 0.5 * (body.force_before + body.force)
+                                         : body.force;
+      for (int i = 0; i < freedoms; ++i) {
+        forces[b][std::size_t(axis(i))] = force[i];
+        bodies_.last_forces()[b][std::size_t(axis(i))] = body.force[i];
+      }
+    }
+    bodies_.step(time, dt, forces);
+  }
+
+ private:
+  static constexpr int freedoms = RigidBodies<D>::freedoms;
+  /// Which of six numbers a twist's i-th is.
+  static constexpr int axis(int i) { return D == 3 || i < 2 ? i : 5; }
+  static Twist flat(const SixNumbers& six) {
+    Twist t{};
+    for (int i = 0; i < freedoms; ++i) t[i] = six[std::size_t(axis(i))];
+    return t;
+  }
+  static Twist twist(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+    return flat({a[0], a[1], a[2], b[0], b[1], b[2]});
+  }
+  static Vec<D> flat(Vec<3, double> x) {
+    if constexpr (D == 3) return {Real(x.x), Real(x.y), Real(x.z)};
+    else return {Real(x.x), Real(x.y)};
+  }
+
+  void put(Walls<D>& walls) {
+    const std::size_t n = local_.size();
+    places_.resize(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto b = std::size_t(rigid_.body_of[k]);
+      const auto arm = turn_[b](local_[k]);
+      rigid_.arm[k] = flat(arm);
+      places_[k] = center_[b] + arm;
+      for (std::size_t p = 0; p < periodic_.size(); ++p) {
+        double& x = component(places_[k], periodic_[p]);
+        x -= length_[p] * std::floor((x - low_[p]) / length_[p]);
+      }
+    }
+    auto& samples = walls.of_bodies;
+    for (int k = 0; k < samples.n; ++k) samples.x[k] = flat(places_[samples.id[k]]);
+    auto& wall = walls.akinci2012;
+    for (int k = 0; k < wall.n; ++k) {
+      if (wall.id[k] < rigid_.first_id) continue;
+      const std::uint64_t number = wall.id[k] - rigid_.first_id;
+      wall.x[k] = flat(image(places_[number % n], number / n));
+    }
+  }
+  /// Bit p of `images`: beyond the nearer end of the p-th periodic axis, on the other side.
+  Vec<3, double> image(Vec<3, double> x, std::uint64_t images) const {
+    for (std::size_t p = 0; p < periodic_.size(); ++p) {
+      double& a = component(x, periodic_[p]);
+      if (images >> p & 1) a += a < low_[p] + length_[p] / 2 ? length_[p] : -length_[p];
+    }
+    return x;
+  }
+
+  Bodies bodies_;
+  ForceMoment moment_;
+  RigidBodies<D> rigid_;
+  std::vector<Vec<3, double>> local_, places_,
+      center_;  // from the centre of mass at the start; now
+  std::vector<Rotation> turn_;
+  std::vector<int> periodic_;
+  std::vector<double> low_, length_;
+};
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

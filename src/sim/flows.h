@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+/// Inlets, outlets and counters of a fluid: what happens between its steps.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/field.h"
+#include "scene/openings.h"
+#include "sim/inlet_clock.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+/// What the flows of a scene do to the particles. It gives them fields of its own, where there is
+/// something to remember, both kept:
+///
+///   held        0: free; else which place of which layer of which inlet moves the particle,
+///               whatever the solver would
+///   x_counted   where the counters last saw it [m]
+template <int D> class Flows {
+ public:
+  explicit Flows(const Scene& s) {
+    for (const Scene::Inlet& in : s.inlet) {
+      inlets_.emplace_back(inlet_plan(s, in));
+      first_target_.push_back(int(targets_.size()));
+      const InletClock& inlet = inlets_.back();
+      targets_.resize(targets_.size() + std::size_t(inlet.slots()) * inlet.plan().particles());
+    }
+    for (const Scene::Outlet& out : s.outlet) outlets_.push_back(solid_of<D, double>(out));
+    for (const Scene::Counter& c : s.counter) counters_.push_back(opening_of<D>(c));
+    counts_.resize(outlets_.size() + counters_.size());
+    for (int k = 0; k < D; ++k)
+      if (s.periodic(k))
+        component(period_, k) = s.domain.max[std::size_t(k)] - s.domain.min[std::size_t(k)];
+  }
+  bool change_particles() const { return !inlets_.empty() || !outlets_.empty(); }
+  bool any() const { return change_particles() || !counters_.empty(); }
+
+  /// visit(name, keep, field) of the fields that this scene needs.
+  template <class Visit> void fields(Visit visit) {
+    if (!inlets_.empty()) visit("held", Keep::kept, held_);
+    if (!counters_.empty()) visit("x_counted", Keep::kept, x_counted_);
+    if (!outlets_.empty() || !counters_.empty()) visit("mark", Keep::scratch, mark_);
+  }
+  /// visit(name, data, count) of what else has to be remembered, 64-bit numbers.
+  template <class Visit> void numbers(Visit visit) {
+    if (inlets_.empty() && counts_.empty()) return;
+    visit("flows/next_id", &next_id_, std::size_t(1));
+    visit("flows/counts", counts_.data(), counts_.size());
+    for (std::size_t k = 0; k < inlets_.size(); ++k) {
+      const std::string at = "flows/inlet_" + std::to_string(k);
+      visit(at + "_layers", &inlets_[k].state.born, std::size_t(3));
+      visit(at + "_crossings", inlets_[k].crossings().data(), inlets_[k].crossings().size());
+    }
+  }
+  /// Particles so far through each inlet, outlet and counter, then those that wait at each inlet.
+  std::vector<std::int64_t> counts() const {
+    std::vector<std::int64_t> all;
+    for (const InletClock& inlet : inlets_)
+      all.push_back(std::int64_t(inlet.state.through * inlet.plan().particles()));
+    all.insert(all.end(), counts_.begin(), counts_.end());
+    for (const InletClock& inlet : inlets_) all.push_back(std::int64_t(inlet.state.waiting));
+    return all;
+  }
+
+  /// Before the first step: the particles that the fluid starts with.
+  void begin(const Particles<D>& f) {
+    next_id_ = std::uint64_t(f.n);
+    for (int i = 0; i < f.n && !counters_.empty(); ++i) x_counted_[i] = f.x[i];
+  }
+  /// The time is now `time`, dt after the last. Returns the place of the first particle that is
+  /// new, which has its id, x, v and kind, and zeros; -1 where none came or went.
+  template <class B>
+  int advance(B& backend, Particles<D>& f, Field<int>& kind, double time, double dt) {
+    hold(backend, f, time);
+    count(backend, f);
+    find_gone(backend, f);
+    std::size_t births = 0;
+    for (InletClock& inlet : inlets_) {
+      inlet.advance(time, dt);
+      births += inlet.fresh().size() * inlet.plan().particles();
+    }
+    if (gone_.empty() && births == 0) return -1;
+    const int first = f.n - int(gone_.size());
+    backend.edit("flows", f, gone_, int(births));
+    int i = first;
+    for (std::size_t k = 0; k < inlets_.size(); ++k) bring(k, f, kind, time, dt, i);
+    return first;
+  }
+
+ private:
+  struct Target {
+    Vec<D> x, v;
+    bool through;
+  };
+
+  /// Where a place of an opening is, `ahead` of it.
+  static Vec<D> moved(const InletPlan& plan, std::size_t place, double ahead) {
+    Vec<D> x{};
+    for (std::size_t k = 0; k < D; ++k)
+      component(x, int(k)) = Real(plan.places[place * D + k] + ahead * plan.direction[k]);
+    return x;
+  }
+  static Vec<D> velocity(const InletPlan& plan) {
+    Vec<D> v{};
+    for (std::size_t k = 0; k < D; ++k) component(v, int(k)) = Real(plan.speed * plan.direction[k]);
+    return v;
+  }
+
+  /// Puts what inlets hold where it ought to be, and lets go of what is through.
+  template <class B> void hold(B& backend, const Particles<D>& f, double time) {
+    if (inlets_.empty()) return;
+    for (std::size_t k = 0; k < inlets_.size(); ++k) {
+      const InletPlan& plan = inlets_[k].plan();
+      Target* target = targets_.data() + first_target_[k];
+      for (std::size_t slot = 0; slot < std::size_t(inlets_[k].slots()); ++slot) {
+        const double ahead = inlets_[k].ahead(slot, time);
+        for (std::size_t place = 0; place < plan.particles(); ++place)
+          *target++ = {moved(plan, place, ahead), velocity(plan), ahead >= 0};
+      }
+    }
+    const Target* targets = targets_.data();
+    const auto held = held_;
+    backend.for_each("flows", f, [=](int i) {
+      if (held[i] == 0) return;
+      const Target& target = targets[held[i] - 1];
+      f.x[i] = target.x;
+      f.v[i] = target.v;
+      if (target.through) held[i] = 0;
+    });
+  }
+
+  /// Over an axis that repeats, the shorter way.
+  static double shorter(double way, double period) {
+    if (!(period > 0)) return way;
+    return way > period / 2 ? way - period : way < -period / 2 ? way + period : way;
+  }
+  template <class B> void count(B& backend, const Particles<D>& f) {
+    if (counters_.empty()) return;
+    const auto before = x_counted_;
+    const auto mark = mark_;
+    const auto period = period_;
+    for (std::size_t c = 0; c < counters_.size(); ++c) {
+      const Opening<D> piece = counters_[c];
+      backend.for_each("flows", f, [=](int i) {
+        const auto from = to_double(before[i]), to = to_double(f.x[i]);
+        const auto flown = to - from;
+        const auto way = each(flown, period, [](double a, double p) { return shorter(a, p); });
+        mark[i] = passed(piece, from, way);
+        // beyond an end that repeats it came in at the other
+        if (norm2(way - flown) > 0) mark[i] += passed(piece, to - way, way);
+      });
+      counts_[outlets_.size() + c] +=
+          std::llround(backend.sum("flows", f, [=](int i) { return double(mark[i]); }));
+    }
+    backend.for_each("flows", f, [=](int i) { before[i] = f.x[i]; });
+  }
+
+  /// Those that are in an outlet, and free.
+  template <class B> void find_gone(B& backend, const Particles<D>& f) {
+    gone_.clear();
+    if (outlets_.empty()) return;
+    const auto *outlets = outlets_.data(), *last = outlets + outlets_.size();
+    const auto mark = mark_;
+    const auto held = held_;
+    backend.for_each("flows", f, [=](int i) {
+      mark[i] = -1;
+      if (held.data && held[i] != 0) return;
+      for (const auto* o = outlets; o != last && mark[i] < 0; ++o)
+        if (o->distance(to_double(f.x[i])) > 0) mark[i] = int(o - outlets);
+    });
+    for (int i = 0; i < f.n; ++i) {
+      if (mark[i] < 0) continue;
+      gone_.push_back(i);
+      ++counts_[std::size_t(mark[i])];
+      for (InletClock& inlet : inlets_) inlet.state.waiting += inlet.plan().outlet == mark[i];
+    }
+  }
+
+  /// Writes the new layers of an inlet from particle i on.
+  void bring(std::size_t k, const Particles<D>& f, Field<int> kind, double time, double dt,
+             int& i) {
+    const InletClock& inlet = inlets_[k];
+    const InletPlan& plan = inlet.plan();
+    for (const InletClock::Layer& layer : inlet.fresh()) {
+      const double ahead = plan.speed * (time - layer.crossing);
+      const double came = std::min(std::max(ahead - inlet.birth(), 0.0), plan.speed * dt);
+      const int slot = int(layer.number % std::uint64_t(inlet.slots()));
+      for (std::size_t place = 0; place < plan.particles(); ++place, ++i) {
+        f.id[i] = next_id_++;
+        f.x[i] = moved(plan, place, ahead);
+        f.v[i] = velocity(plan);
+        if (kind.data) kind[i] = plan.liquid;
+        if (ahead < 0) held_[i] = 1 + first_target_[k] + slot * int(plan.particles()) + int(place);
+        if (!counters_.empty()) x_counted_[i] = moved(plan, place, ahead - came);
+      }
+    }
+  }
+
+  std::vector<InletClock> inlets_;
+  std::vector<Solid<D, double>> outlets_;
+  std::vector<Opening<D>> counters_;
+  Vec<D, double> period_{};
+  std::vector<int> first_target_;  // by inlet
+  std::vector<Target> targets_;    // of every place of every layer that is held
+  std::vector<int> gone_;
+  std::vector<std::int64_t> counts_;  // of the outlets, then the counters
+  std::uint64_t next_id_ = 0;
+  Field<int> held_, mark_;
+  Field<Vec<D>> x_counted_;
+};
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

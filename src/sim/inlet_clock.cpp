@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "sim/inlet_clock.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace freshet {
+
+InletClock::InletClock(InletPlan plan)
+    : plan_(std::move(plan)), crossings_(std::size_t(plan_.layers) + 2) {}
+
+/// Whether another layer is there by now, and when it goes through the opening.
+bool InletClock::next(double time, double dt, double& crossing) const {
+  if (time < plan_.start) return false;
+  const double period = plan_.spacing / plan_.speed, hair = 1e-9 * plan_.spacing;
+  // a hair early: what is through at the end of a step is so whichever way that was rounded
+  crossing = plan_.start + (double(state.born) + 0.5 - 1e-9) * period;
+  const bool at_start = state.born < std::uint64_t(plan_.layers);
+  if (plan_.outlet >= 0 && !at_start) {
+    if (state.waiting < plan_.particles()) return false;
+    const double after = crossings_[(state.born - 1) % crossings_.size()] + period;
+    // what had to wait for its particles comes in at the back
+    const double ahead = plan_.speed * (time - after);
+    const bool in_time = ahead < birth() + plan_.speed * dt + hair;
+    crossing = in_time ? after : time - birth() / plan_.speed;
+  }
+  if (crossing > plan_.stop + 1e-9 * period) return false;
+  return plan_.speed * (time - crossing) >= birth() - hair;
+}
+
+void InletClock::advance(double time, double dt) {
+  fresh_.clear();
+  for (double crossing; next(time, dt, crossing); ++state.born) {
+    const bool again = plan_.outlet >= 0 && state.born >= std::uint64_t(plan_.layers);
+    if (again) state.waiting -= plan_.particles();
+    // in a long step layers may come and go at once
+    if (state.born - state.through == crossings_.size()) ++state.through;
+    crossings_[state.born % crossings_.size()] = crossing;
+    fresh_.push_back({state.born, crossing});
+  }
+  while (state.through < state.born && ahead(state.through % crossings_.size(), time) >= 0)
+    ++state.through;
+}
+
+}  // namespace freshet

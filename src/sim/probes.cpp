@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "sim/probes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "kernels/cubic_spline.h"
+#include "kernels/lattice_sum.h"
+#include "scene/places.h"
+
+namespace freshet {
+namespace {
+
+constexpr const char* axis_names[] = {"x", "y", "z"};
+constexpr double least_fraction = 0.05, surface_fraction = 0.5;
+constexpr int surface_places_per_spacing = 4;
+
+/// What is known of the fluid at a place.
+struct Reading {
+  double fraction = 0, density = 0, pressure = 0;
+  std::array<double, 3> velocity{};
+};
+
+/// The places that one probe asks at, one after the other.
+std::vector<Vector> places_of(const Scene& s, const Scene::Probe& p) {
+  if (p.kind == ProbeKind::point) return {p.at};
+  std::int64_t count = p.count;
+  if (p.kind == ProbeKind::surface) {
+    double length2 = 0;
+    for (std::size_t d = 0; d < p.from.size(); ++d)
+      length2 += (p.to[d] - p.from[d]) * (p.to[d] - p.from[d]);
+    count = 1 + std::int64_t(std::ceil(std::sqrt(length2) / s.particles.spacing *
+                                       surface_places_per_spacing));
+  }
+  std::vector<Vector> places;
+  for (std::int64_t k = 0; k < count; ++k) {
+    Vector x;
+    for (std::size_t d = 0; d < p.from.size(); ++d)
+      x.push_back(p.from[d] + (p.to[d] - p.from[d]) * double(k) / double(count - 1));
+    places.push_back(x);
+  }
+  return places;
+}
+
+/// Readings at fixed places.
+class Reader {
+ public:
+  virtual ~Reader() = default;
+  virtual std::vector<Reading> read(const ParticleView& fluid) const = 0;
+};
+
+template <int D> class ReaderIn final : public Reader {
+ public:
+  ReaderIn(const Scene& s, const std::vector<Vector>& places)
+      : support_(support_radius(s)),
+        W_(Real(support_)),
+        volume_(std::pow(s.particles.spacing, D) /
+                lattice_sum<D>(W_, s.particles.spacing, support_)),
+        count_(places.size()) {
+    const auto shifts = periodic_shifts<D>(s);
+    for (std::size_t k = 0; k < places.size(); ++k)
+      for (const Vec<D, double>& shift : shifts) add(vec_of<D>(places[k]) + shift, k);
+  }
+
+  std::vector<Reading> read(const ParticleView& f) const override {
+    std::vector<std::vector<Share>> shares(count_);
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      Vec<D, double> x{};
+      for (std::size_t d = 0; d < D; ++d) component(x, int(d)) = double(f.x[D * i + d]);
+      const auto near = near_.find(cell_of(x));
+      if (near == near_.end()) continue;
+      for (const Place& place : near->second) {
+        Vec<D> r{};
+        auto apart = place.x - x;
+        for (int d = 0; d < D; ++d) component(r, d) = Real(component(apart, d));
+        const double W = double(W_(Pair<D, Real>(r)));
+        if (W > 0) shares[place.number].push_back({f.id[i], i, W});
+      }
+    }
+    std::vector<Reading> all;
+    for (auto& list : shares) all.push_back(sum(list, f));
+    return all;
+  }
+
+ private:
+  struct Place {
+    Vec<D, double> x;
+    std::size_t number;
+  };
+  struct Share {
+    std::uint64_t id;
+    std::size_t i;
+    double W;
+  };
+  using Cell = std::array<std::int64_t, D>;
+
+  Cell cell_of(Vec<D, double> x) const {
+    Cell cell;
+    for (int d = 0; d < D; ++d)
+      cell[std::size_t(d)] =
+          std::int64_t(std::floor(std::clamp(component(x, d) / support_, -1e18, 1e18)));
+    return cell;
+  }
+  /// Into all cells that particles within the support of it can be in.
+  void add(Vec<D, double> x, std::size_t number) {
+    const Cell center = cell_of(x);
+    for (int n = 0; n < (D == 3 ? 27 : 9); ++n) {
+      Cell cell = center;
+      cell[0] += n % 3 - 1;
+      cell[1] += n / 3 % 3 - 1;
+      if (D == 3) cell[D - 1] += n / 9 - 1;
+      near_[cell].push_back({x, number});
+    }
+  }
+  Reading sum(std::vector<Share>& shares, const ParticleView& f) const {
+    std::sort(shares.begin(), shares.end(),
+              [](const Share& a, const Share& b) { return a.id < b.id; });
+    Reading r;
+    double all = 0;
+    for (const Share& share : shares) {
+      all += share.W;
+      r.density += share.W * double(f.density[share.i]);
+      r.pressure += share.W * double(f.pressure[share.i]);
+      for (std::size_t d = 0; d < D; ++d) r.velocity[d] += share.W * double(f.v[D * share.i + d]);
+    }
+    r.fraction = volume_ * all;
+    const double per =
+        r.fraction < least_fraction ? std::numeric_limits<double>::quiet_NaN() : 1 / all;
+    r.density *= per;
+    r.pressure *= per;
+    for (double& v : r.velocity) v *= per;
+    return r;
+  }
+
+  double support_;
+  CubicSpline<D> W_;
+  double volume_;
+  std::size_t count_;
+  std::map<Cell, std::vector<Place>> near_;
+};
+
+std::string number(double a) { return std::isnan(a) ? "nan" : fmt::format("{:.9g}", a); }
+
+/// The furthest place along the line with half of the fluid there, between two of them where the
+/// fraction falls through it.
+double reach(const Scene::Probe& p, const std::vector<Reading>& readings) {
+  double length2 = 0;
+  for (std::size_t d = 0; d < p.from.size(); ++d)
+    length2 += (p.to[d] - p.from[d]) * (p.to[d] - p.from[d]);
+  const double step = std::sqrt(length2) / double(readings.size() - 1);
+  for (std::size_t k = readings.size(); k-- > 0;) {
+    const double here = readings[k].fraction;
+    if (here < surface_fraction) continue;
+    if (k + 1 == readings.size()) return step * double(k);
+    const double next = readings[k + 1].fraction;
+    return step * (double(k) + (here - surface_fraction) / (here - next));
+  }
+  return 0;
+}
+
+}  // namespace
+
+struct Probes::Places {
+  const Scene& scene;
+  std::vector<std::vector<Vector>> places;  ///< by probe
+  std::unique_ptr<Reader> reader;           ///< of all of them, one after the other
+};
+
+Probes::Probes(const Scene& scene) : places_(std::make_unique<Places>(Places{scene, {}, nullptr})) {
+  std::vector<Vector> all;
+  for (const Scene::Probe& p : scene.probe) {
+    places_->places.push_back(places_of(scene, p));
+    all.insert(all.end(), places_->places.back().begin(), places_->places.back().end());
+  }
+  if (scene.dimension() == 2) places_->reader = std::make_unique<ReaderIn<2>>(scene, all);
+  else places_->reader = std::make_unique<ReaderIn<3>>(scene, all);
+}
+Probes::~Probes() = default;
+Probes::Probes(Probes&&) noexcept = default;
+
+std::size_t Probes::size() const { return places_->places.size(); }
+
+std::string Probes::header(std::size_t k) const {
+  const Scene& s = places_->scene;
+  const bool flat = s.dimension() == 2;
+  std::string line = "time [s]";
+  if (s.probe[k].kind == ProbeKind::surface) return line + ",distance [m]\n";
+  for (int d = 0; d < s.dimension(); ++d) line += fmt::format(",{} [m]", axis_names[d]);
+  line += ",fraction";
+  for (int d = 0; d < s.dimension(); ++d) line += fmt::format(",velocity {} [m/s]", axis_names[d]);
+  return line + (flat ? ",density [kg/m^2],pressure [N/m]\n" : ",density [kg/m^3],pressure [Pa]\n");
+}
+
+std::vector<std::string> Probes::look(double time, const ParticleView& fluid) const {
+  std::vector<std::string> tables;
+  const auto readings = places_->reader->read(fluid);
+  auto from = readings.begin();
+  for (std::size_t k = 0; k < size(); ++k) {
+    const auto& places = places_->places[k];
+    const std::vector<Reading> own(from, from + std::ptrdiff_t(places.size()));
+    from += std::ptrdiff_t(places.size());
+    std::string lines;
+    if (places_->scene.probe[k].kind == ProbeKind::surface) {
+      lines = fmt::format("{:.9g},{:.9g}\n", time, reach(places_->scene.probe[k], own));
+    } else {
+      for (std::size_t n = 0; n < own.size(); ++n) {
+        lines += fmt::format("{:.9g}", time);
+        for (const double x : places[n]) lines += fmt::format(",{:.9g}", x);
+        lines += fmt::format(",{:.9g}", own[n].fraction);
+        for (std::size_t d = 0; d < places[n].size(); ++d)
+          lines += "," + number(own[n].velocity[d]);
+        lines += "," + number(own[n].density) + "," + number(own[n].pressure) + "\n";
+      }
+    }
+    tables.push_back(std::move(lines));
+  }
+  return tables;
+}
+
+std::string probe_file(const Scene& scene, std::size_t k) {
+  const std::string& name = scene.probe[k].name;
+  return fmt::format("probes/{}.csv", name.empty() ? fmt::format("probe_{}", k) : name);
+}
+
+}  // namespace freshet

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "pairs/bender2017.h"
+#include "solvers/backend.h"
+#include "solvers/non_pressure_forces.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+/// Turbulence by a micropolar fluid [Bender, Koschier, Kugelstadt, Weiler 2017]: each particle has
+/// an angular velocity omega of its own,
+///
+///   Dv/Dt += nu_t curl omega,   Theta Domega/Dt = nu_t (curl v - 2 omega)  [eqs. 9 and 10],
+///
+/// the second by backward Euler in omega, so that no nu_t is too large for it.
+///
+///   nu_t [m^2/s], Theta [m^2]
+template <int D, class B, template <int> class Kernel> struct Bender2017 {
+  using Fluid = FluidParticles<D>;
+  Kernel<D> W;
+  Real m, nu_t, Theta;
+  Field<Spin<D, Real>> spin;  ///< kept: omega [1/s]
+
+  void fields(FieldMaker<D>& maker) { maker.make("spin", Keep::kept, spin); }
+
+  // Public for nvcc, which takes no lambdas from private functions.
+  /// add += nu_t curl omega
+  void push(B& backend, const Fluid& fluid, Field<Vec<D>> add) const {
+    const auto f = fluid;
+    const Real factor = m * nu_t;
+    backend.share("spin", f, spin);
+    backend.sum_pairs("vorticity", f, over(f, Bender2017CurlSpin{W, spin, f.rho}),
+                      [=] FRESHET_LAMBDA(int i, Vec<D> sum) { add[i] += factor * f.rho[i] * sum; });
+  }
+  /// omega after dt
+  void turn(B& backend, const Fluid& fluid, Real dt) const {
+    const auto f = fluid;
+    const auto spin = this->spin;
+    const Real rate = dt * nu_t / Theta, m = this->m;
+    backend.sum_pairs("spin", f, over(f, Bender2017CurlV{W, f.v}),
+                      [=] FRESHET_LAMBDA(int i, Spin<D, Real> sum) {
+                        spin[i] = (1 / (1 + 2 * rate)) * (spin[i] + (rate * m / f.rho[i]) * sum);
+                      });
+  }
+};
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

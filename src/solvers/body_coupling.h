@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+/// What the fluid does to rigid bodies, and they to it: versatile rigid-fluid coupling [Akinci,
+/// Ihmsen, Akinci, Solenthaler, Teschner 2012]. Nothing here is called where there are no bodies.
+#pragma once
+#include "boundary/wall_sets.h"
+#include "pairs/density_rate.h"
+#include "pairs/reaction.h"
+#include "solvers/backend.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+/// Adds a body's motion at each of its samples to a field, or puts it in its place.
+template <int D> struct MoveSamples {
+  using Twist = typename RigidBodies<D>::Twist;
+  Field<std::uint64_t> id;
+  Field<Vec<D>> field;
+  const Twist* motion;
+  const int* body_of;
+  const Vec<D>* arm;
+  std::uint64_t first, count;
+  bool add;
+  FRESHET_HD void operator()(int k) const {
+    Vec<D> v{};
+    if (id[k] >= first) {
+      const std::uint64_t number = (id[k] - first) % count;
+      v = velocity_at<D>(motion[body_of[number]], arm[number]);
+    }
+    field[k] = add ? field[k] + v : v;
+  }
+};
+
+/// A sample's share of the force and the torque on its body.
+template <int D> struct SampleWrench {
+  struct Item {
+    int group;
+    typename RigidBodies<D>::Twist value;
+  };
+  Field<std::uint64_t> id;
+  Field<Vec<D>> force;
+  const int* body_of;
+  const Vec<D>* arm;
+  double m;
+  FRESHET_HD Item operator()(int k) const {
+    return {body_of[id[k]], m * wrench_of<D>(force[k], arm[id[k]])};
+  }
+};
+
+template <int D> struct BodyCoupling {
+  using Twist = typename RigidBodies<D>::Twist;
+  using Body = typename RigidBodies<D>::Body;
+
+  /// What the term by which samples act does to the bodies, in totals [N, N m].
+  template <class B, class Fluid, class Term>
+  static void sum_reactions(B& backend, const Walls<D>& w, const Fluid& f, const Term& term) {
+    RigidBodies<D>& bodies = *w.bodies;
+    bodies.totals.resize(bodies.all.size());
+    const auto& samples = w.of_bodies;
+    backend.sum_pairs("bodies", samples, over(f, Reaction<D, Term>{term}),
+                      StoreForce<D>{samples.force});
+    backend.sum_groups("bodies", samples, bodies.count(),
+                       SampleWrench<D>{samples.id, samples.force, bodies.body_of.data(),
+                                       bodies.arm.data(), double(bodies.m)},
+                       bodies.totals.data());
+  }
+
+  /// motion(body) at the samples, in a field of both sets: their velocities.
+  template <class B, class Motion>
+  static void set_velocities(B& backend, const Walls<D>& w, const Motion& motion) {
+    move(backend, w, motion, false, [](const auto& set) { return set.v; });
+  }
+  /// x + motion(body) at the samples [m].
+  template <class B, class Motion>
+  static void displace(B& backend, const Walls<D>& w, const Motion& motion) {
+    move(backend, w, motion, true, [](const auto& set) { return set.x; });
+  }
+
+  /// The density's rate by moving samples, which density rates are less by.
+  template <class B, class Fluid, class Kernel>
+  static void set_rate(B& backend, const Walls<D>& w, const Fluid& f, const Kernel& W) {
+    const auto rate = w.rate;
+    backend.sum_pairs("bodies: rate", f,
+                      over(w.akinci2012, MovingDensityRate{W, w.akinci2012.psi, w.akinci2012.v}),
+                      [=] FRESHET_LAMBDA(int i, Real sum) { rate[i] = sum; });
+  }
+
+ private:
+  template <class B, class Motion, class FieldOf>
+  static void move(B& backend, const Walls<D>& w, const Motion& motion, bool add,
+                   const FieldOf& field_of) {
+    RigidBodies<D>& bodies = *w.bodies;
+    bodies.totals.clear();
+    for (const Body& body : bodies.all) bodies.totals.push_back(motion(body));
+    const auto visit = [&](const auto& set, std::uint64_t first) {
+      backend.for_each(
+          "bodies", set,
+          MoveSamples<D>{set.id, field_of(set), bodies.totals.data(), bodies.body_of.data(),
+                         bodies.arm.data(), first, std::uint64_t(bodies.arm.size()), add});
+    };
+    visit(w.akinci2012, bodies.first_id);
+    visit(w.of_bodies, 0);
+  }
+};
+
+/// Of a solver that finds its forces once a step: what they are on the bodies.
+template <int D, class B, class Fluid, class Term>
+void ask_bodies(B& backend, const Walls<D>& w, const Fluid& f, Real support, const Term& term) {
+  if (!w.bodies) return;
+  backend.list_neighbors("bodies", support, w.of_bodies, f);
+  BodyCoupling<D>::sum_reactions(backend, w, f, term);
+  for (std::size_t b = 0; b < w.bodies->all.size(); ++b) {
+    auto& body = w.bodies->all[b];
+    body.force_before = body.force;
+    body.force = w.bodies->totals[b];
+  }
+}
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

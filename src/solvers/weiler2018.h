@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cmath>
+
+#include "pairs/monaghan2005.h"
+#include "pairs/weiler2018.h"
+#include "solvers/backend.h"
+#include "solvers/non_pressure_forces.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+/// Viscosity by backward Euler [Weiler, Koschier, Brand, Bender 2018]: a step of any length is
+/// stable. With L v the acceleration by viscosity, linear in v,
+///
+///   v' = v + dt L v',  so dv = v' - v solves  (1 - dt L) dv = dt L v,
+///
+/// by conjugate gradients with the blocks of the diagonal as preconditioner, from the dv of the
+/// step before [sec. 3.3]. Solving for dv, not for v', leaves out how fast everything moves
+/// together: the error is what is left of dt L v, as a share of it. A particle's equation counts
+/// with its density over the densest liquid's, which makes the equations symmetric.
+template <int D, class B, template <int> class Kernel> class Weiler2018 {
+ public:
+  using Fluid = FluidParticles<D>;
+  Weiler2018(Kernel<D> W, Real m, Real rho0, Real eps_h2, const Iterations& limits)
+      : W_(W), m_(m), rho0_(rho0), eps_h2_(eps_h2), limits_(limits) {}
+
+  void fields(FieldMaker<D>& maker) {
+    maker.make("viscosity_dv", Keep::kept, dv_);
+    maker.make("viscosity_left", Keep::scratch, left_);
+    maker.make("viscosity_way", Keep::scratch, way_);
+    maker.make("viscosity_product", Keep::scratch, product_);
+    maker.make("viscosity_diagonal", Keep::scratch, diagonal_);
+    maker.make("viscosity_off", Keep::scratch, off_);
+  }
+
+  /// v as it is after dt of viscosity; mu [Pa s], lightness: by the liquids.
+  Solve relax(B& backend, const Fluid& f, const Walls<D>& w, Real dt, Field<Vec<D>> v,
+              const PerLiquid& mu, const PerLiquid& lightness) {
+    const auto dv = dv_;
+    find_blocks(backend, f, w, dt, mu, lightness);
+    const double start = begin(backend, f, w, dt, v, mu, lightness);
+    const Solve done = iterate(backend, f, w, dt, start, mu, lightness);
+    backend.for_each("viscosity: end", f, [=] FRESHET_LAMBDA(int i) { v[i] += dv[i]; });
+    return done;
+  }
+
+  // Public for nvcc, which takes no lambdas from private functions.
+  /// (1 + dt M_i)^-1
+  void find_blocks(B& backend, const Fluid& f, const Walls<D>& w, Real dt, const PerLiquid& mu,
+                   const PerLiquid& lightness) const {
+    const auto diagonal = diagonal_, off = off_;
+    backend.sum_pairs(
+        "viscosity: blocks", f, over(f, Weiler2018Block{W_, m_, eps_h2_, mu, f.rho}),
+        over(w.akinci2012, Weiler2018AkinciBlock{W_, eps_h2_, mu, f.rho, w.akinci2012.psi,
+                                                 w.akinci2012.friction}),
+        over(w.adami2012,
+             Weiler2018AdamiBlock{W_, m_, rho0_, eps_h2_, mu, f.rho, w.adami2012.friction}),
+        [=] FRESHET_LAMBDA(int i, const Symmetric<D, Real>& M) {
+          const auto inverse = inverse_of_one_and(dt * lightness[i], M);
+          diagonal[i] = inverse.diagonal;
+          if constexpr (D == 3) off[i] = inverse.off;
+          else off[i].x = inverse.off;
+        });
+  }
+
+  /// finish(i, L v) of any field of velocities v, over the lightness.
+  template <class Finish>
+  void multiply(B& backend, const Fluid& f, const Walls<D>& w, Field<Vec<D>> v, const PerLiquid& mu,
+                const Finish& finish) const {
+    Particles<D> like_v = f;  // copies turn round what is shared as if it were the velocity
+    like_v.v = v;
+    backend.share("viscosity", like_v, v);
+    backend.sum_pairs(
+        "viscosity: product", f, over(f, Monaghan2005Viscosity{W_, m_, eps_h2_, mu, f.rho, v}),
+        over(w.akinci2012, Monaghan2005Akinci{W_, eps_h2_, mu, f.rho, v, w.akinci2012.psi,
+                                              w.akinci2012.friction}),
+        over(w.adami2012, Monaghan2005Adami{W_, m_, rho0_, eps_h2_, mu, f.rho, v,
+                                            w.adami2012.friction, w.adami2012.v, true}),
+        finish);
+  }
+
+  /// What is left of the equations at the first dv; returns the size of dt L v.
+  double begin(B& backend, const Fluid& f, const Walls<D>& w, Real dt, Field<Vec<D>> v,
+               const PerLiquid& mu, const PerLiquid& lightness) const {
+    const auto dv = dv_, left = left_;
+    multiply(backend, f, w, v, mu,
+             [=] FRESHET_LAMBDA(int i, Vec<D> Lv) { left[i] = (dt * lightness[i]) * Lv; });
+    const double size = std::sqrt(weighted(backend, f, left, left, lightness));
+    const double most = backend.max("viscosity: sums", f,
+                                    [=] FRESHET_LAMBDA(int i) { return double(norm2(dv[i])); });
+    if (most > 0)
+      multiply(backend, f, w, dv, mu, [=] FRESHET_LAMBDA(int i, Vec<D> Ldv) {
+        left[i] += (dt * lightness[i]) * Ldv - dv[i];
+      });
+    return size;
+  }
+
+  /// Conjugate gradients, preconditioned  [Saad 2003, algorithm 9.1]
+  Solve iterate(B& backend, const Fluid& f, const Walls<D>& w, Real dt, double size,
+                const PerLiquid& mu, const PerLiquid& lightness) const {
+    const auto dv = dv_, left = left_, way = way_, product = product_;
+    double zr_before = 0;
+    for (int n = 0;; ++n) {
+      const double norm = std::sqrt(weighted(backend, f, left, left, lightness));
+      const double error = size > 0 ? norm / size : 0;
+      if (!(error > limits_.tolerance) || n >= limits_.most || std::isnan(error))
+        return {"viscosity", n, error, limits_.tolerance};
+      const double zr = preconditioned(backend, f, lightness);
+      const Real beta = zr_before > 0 ? Real(zr / zr_before) : 0;
+      zr_before = zr;
+      step_way(backend, f, beta);
+      multiply(backend, f, w, way, mu, [=] FRESHET_LAMBDA(int i, Vec<D> Lp) {
+        product[i] = way[i] - (dt * lightness[i]) * Lp;
+      });
+      const double curvature = weighted(backend, f, way, product, lightness);
+      const Real alpha = curvature > 0 ? Real(zr / curvature) : 0;
+      backend.for_each("viscosity: step", f, [=] FRESHET_LAMBDA(int i) {
+        dv[i] += alpha * way[i];
+        left[i] += (-alpha) * product[i];
+      });
+    }
+  }
+  /// sum_i a_i · b_i over the lightness
+  double weighted(B& backend, const Fluid& f, Field<Vec<D>> a, Field<Vec<D>> b,
+                  const PerLiquid& lightness) const {
+    return backend.sum("viscosity: sums", f, [=] FRESHET_LAMBDA(int i) {
+      return double(dot(a[i], b[i])) / double(lightness[i]);
+    });
+  }
+  /// z · left, with z the preconditioned.
+  double preconditioned(B& backend, const Fluid& f, const PerLiquid& lightness) const {
+    const auto self = z();
+    const auto left = left_;
+    return backend.sum("viscosity: sums", f, [=] FRESHET_LAMBDA(int i) {
+      return double(dot(self(i), left[i])) / double(lightness[i]);
+    });
+  }
+  void step_way(B& backend, const Fluid& f, Real beta) const {
+    const auto self = z();
+    const auto way = way_;
+    backend.for_each("viscosity: step", f, [=] FRESHET_LAMBDA(int i) {
+      way[i] = beta > 0 ? self(i) + beta * way[i] : self(i);
+    });
+  }
+  struct Preconditioned {
+    Field<Vec<D>> diagonal, off, left;
+    FRESHET_HD Vec<D> operator()(int i) const {
+      if constexpr (D == 3) return Symmetric<3, Real>{diagonal[i], off[i]} * left[i];
+      else return Symmetric<2, Real>{diagonal[i], off[i].x} * left[i];
+    }
+  };
+  Preconditioned z() const { return {diagonal_, off_, left_}; }
+
+ private:
+  Kernel<D> W_;
+  Real m_, rho0_, eps_h2_;
+  Iterations limits_;
+  Field<Vec<D>> dv_;                    // kept: of the step before
+  Field<Vec<D>> left_, way_, product_;  // scratch
+  Field<Vec<D>> diagonal_, off_;        // scratch: the preconditioner
+};
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

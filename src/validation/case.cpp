@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <toml++/toml.h>
+#include <algorithm>
+#include <set>
+
+#include "freshet/error.h"
+#include "freshet/validate.h"
+#include "scene/keys.h"
+
+namespace freshet {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Reads a table of case.toml; what it was not asked for is an error at the end.
+class CaseReader {
+ public:
+  CaseReader(const toml::table& table, const fs::path& file) : table_(table), file_(file) {}
+
+  [[noreturn]] void fail(const toml::node& node, const std::string& why) const {
+    const auto at = node.source().begin;
+    throw Error(Error::Kind::scene, fmt::format("{}:{}:{}", file_.string(), at.line, at.column),
+                why);
+  }
+  std::string text(const char* key, const std::string& fallback = "") {
+    return value<std::string>(key, "a text in quotes").value_or(fallback);
+  }
+  std::string needed(const char* key) {
+    const std::string found = text(key);
+    if (found.empty()) fail(table_, fmt::format("{} is missing; give it as a text", key));
+    return found;
+  }
+  std::optional<double> number(const char* key) { return value<double>(key, "a number"); }
+  std::vector<double> numbers(const char* key) { return values<double>(key, "numbers"); }
+  std::vector<std::string> texts(const char* key) {
+    return values<std::string>(key, "texts in quotes");
+  }
+  const toml::table* table(const char* key) {
+    const toml::node* node = find(key);
+    if (node && !node->is_table()) fail(*node, fmt::format("{} is no table; write [{}]", key, key));
+    return node ? node->as_table() : nullptr;
+  }
+  const toml::array* tables(const char* key) {
+    const toml::node* node = find(key);
+    if (node && !node->is_array_of_tables())
+      fail(*node, fmt::format("{} is no list of tables; write [[{}]]", key, key));
+    return node ? node->as_array() : nullptr;
+  }
+  void finish() const {
+    for (const auto& [key, node] : table_)
+      if (!known_.contains(std::string(key)))
+        fail(node, fmt::format("unknown key {}; there are {}", std::string(key),
+                               fmt::join(known_, ", ")));
+  }
+  const fs::path& file() const { return file_; }
+
+ private:
+  const toml::node* find(const char* key) {
+    known_.insert(key);
+    return table_.get(key);
+  }
+  template <class T> std::optional<T> value(const char* key, const char* what) {
+    const toml::node* node = find(key);
+    if (!node) return {};
+    const auto found = node->value<T>();
+    if (!found) fail(*node, fmt::format("{} is not {}; write it as one", key, what));
+    return found;
+  }
+  template <class T> std::vector<T> values(const char* key, const char* what) {
+    std::vector<T> all;
+    const toml::node* node = find(key);
+    if (!node) return all;
+    if (!node->is_array()) fail(*node, fmt::format("{} is no list; write [{}]", key, what));
+    for (const toml::node& element : *node->as_array()) {
+      const auto found = element.value<T>();
+      if (!found) fail(element, fmt::format("{} is a list of {}; this is none", key, what));
+      all.push_back(*found);
+    }
+    return all;
+  }
+
+  const toml::table& table_;
+  const fs::path& file_;
+  std::set<std::string> known_;
+};
+
+std::string as_text(const toml::node& node) {
+  std::ostringstream out;
+  if (const auto text = node.value<std::string>(); text && node.is_string()) return *text;
+  out << toml::node_view<const toml::node>(node);
+  return out.str();
+}
+
+ValidationMeasure measure_in(const toml::table& table, const fs::path& file) {
+  CaseReader in(table, file);
+  ValidationMeasure m;
+  m.name = in.needed("name");
+  m.table = in.text("table", "observables.csv");
+  m.beside = in.text("beside");
+  m.x = in.text("x", "time");
+  m.y = in.needed("y");
+  m.when = in.text("when");
+  m.from = in.number("from");
+  m.to = in.number("to");
+  m.statistic = in.text("statistic");
+  m.expected = in.text("expected");
+  m.reference = in.text("reference");
+  m.rx = in.text("rx", "x");
+  m.ry = in.text("ry", "y");
+  m.norm = in.text("norm", "max");
+  m.scale = in.number("scale");
+  m.align = in.number("align");
+  m.bound = in.number("bound");
+  m.short_bound = in.number("short_bound");
+  m.reason = in.text("reason");
+  in.finish();
+  if (m.bound && m.reason.empty())
+    in.fail(table,
+            fmt::format("measure {} has a bound without a reason; say why it is so", m.name));
+  if (m.statistic.empty() && m.expected.empty() == m.reference.empty())
+    in.fail(table, fmt::format("measure {} needs one of expected, reference and statistic: what is "
+                               "the curve compared with?",
+                               m.name));
+  return m;
+}
+
+void check_solvers(CaseReader& in, const toml::table& table,
+                   const std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    if (std::find(std::begin(solver_words), std::end(solver_words), name) == std::end(solver_words))
+      in.fail(table,
+              fmt::format("{} is no solver; there are {}", name, fmt::join(solver_words, ", ")));
+}
+
+}  // namespace
+
+ValidationCase read_validation_case(const fs::path& folder) {
+  const fs::path file = folder / "case.toml";
+  toml::table root;
+  try {
+    root = toml::parse_file(file.string());
+  } catch (const toml::parse_error& e) {
+    const auto at = e.source().begin;
+    throw Error(
+        Error::Kind::scene,
+        at.line ? fmt::format("{}:{}:{}", file.string(), at.line, at.column) : file.string(),
+        fmt::format("{}; mend it, see another case for how one is written", e.description()));
+  }
+  CaseReader in(root, file);
+  ValidationCase c;
+  c.name = folder.filename().string();
+  c.folder = folder;
+  c.title = in.needed("title");
+  c.text = in.text("text");
+  c.source = in.needed("source");
+  c.scene = folder / in.text("scene", "scene.toml");
+  c.solvers = in.texts("solvers");
+  check_solvers(in, root, c.solvers);
+  c.spacings = in.numbers("spacings");
+  if (c.solvers.empty() || c.spacings.empty())
+    in.fail(root, "solvers and spacings are lists of at least one; what is the case run with?");
+  std::sort(c.spacings.begin(), c.spacings.end(), std::greater<>());
+  if (const toml::table* expected = in.table("fails"))
+    for (const auto& [solver, why] : *expected)
+      c.expected_failures.emplace_back(std::string(solver), as_text(why));
+  if (const toml::table* set = in.table("set"))
+    for (const auto& [solver, keys] : *set) {
+      if (!keys.is_table()) in.fail(keys, "write [set.all] or [set.SOLVER], with keys below it");
+      auto& group = c.set.emplace_back(solver == "all" ? "" : std::string(solver.str()),
+                                       std::vector<std::pair<std::string, std::string>>{});
+      for (const auto& [key, value] : *keys.as_table())
+        group.second.emplace_back(std::string(key), as_text(value));
+    }
+  if (const toml::table* shorter = in.table("short")) {
+    CaseReader s(*shorter, file);
+    c.short_form = {s.texts("solvers"), s.numbers("spacings"), s.text("cost")};
+    check_solvers(s, *shorter, c.short_form->solvers);
+    s.finish();
+  }
+  if (const toml::array* measures = in.tables("measure"))
+    for (const toml::node& m : *measures) c.measures.push_back(measure_in(*m.as_table(), file));
+  if (c.measures.empty()) in.fail(root, "no [[measure]]; what does the case look at?");
+  in.finish();
+  return c;
+}
+
+std::vector<ValidationCase> validation_cases(const fs::path& folder) {
+  std::vector<ValidationCase> all;
+  std::error_code ec;
+  for (const auto& entry : fs::directory_iterator(folder, ec))
+    if (fs::is_regular_file(entry.path() / "case.toml", ec))
+      all.push_back(read_validation_case(entry.path()));
+  std::sort(all.begin(), all.end(), [](auto& a, auto& b) { return a.name < b.name; });
+  return all;
+}
+
+}  // namespace freshet

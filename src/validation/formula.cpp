@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "validation/formula.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <numbers>
+
+#include "freshet/error.h"
+
+#ifdef FRESHET_MUPARSER
+#include <muParser.h>
+#endif
+
+namespace freshet {
+namespace {
+
+std::string variable_of(const std::string& column) {
+  std::string name = column;
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return name;
+}
+
+}  // namespace
+
+#ifdef FRESHET_MUPARSER
+
+std::vector<double> evaluate(const std::string& formula, const Table& table,
+                             const std::string& place) {
+  mu::Parser parser;
+  parser.DefineConst("pi", std::numbers::pi);
+  std::vector<const Column*> columns;
+  std::string names;
+  for (const Column& c : table.columns) {
+    if (c.of_words()) continue;
+    columns.push_back(&c);
+    names += (names.empty() ? "" : ", ") + variable_of(c.name);
+  }
+  std::vector<double> row(columns.size()), values;
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    parser.DefineVar(variable_of(columns[k]->name), &row[k]);
+  try {
+    parser.SetExpr(formula);
+    for (std::size_t i = 0; i < table.rows; ++i) {
+      for (std::size_t k = 0; k < columns.size(); ++k) row[k] = columns[k]->numbers[i];
+      values.push_back(parser.Eval());
+    }
+  } catch (const mu::Parser::exception_type& e) {
+    throw Error(Error::Kind::scene, place,
+                fmt::format("the formula \"{}\" cannot be read: {}; there are {}, pi and the usual "
+                            "functions",
+                            formula, e.GetMsg(), names));
+  }
+  return values;
+}
+
+#else
+
+std::vector<double> evaluate(const std::string&, const Table&, const std::string& place) {
+  throw Error(Error::Kind::scene, place,
+              "has formulas, and this Freshet was built without muParser, which reads them; "
+              "install libmuparser-dev and build it anew");
+}
+
+#endif
+
+std::vector<double> evaluate(const std::string& formula, const std::string& variable,
+                             const std::vector<double>& values, const std::string& place) {
+  return evaluate(formula, Table{{Column{variable, "", values, {}}}, values.size()}, place);
+}
+
+}  // namespace freshet

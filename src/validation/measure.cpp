@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "validation/measure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "freshet/error.h"
+#include "render/chart.h"
+#include "validation/formula.h"
+
+namespace freshet {
+namespace {
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+[[noreturn]] void refuse(const std::string& place, const std::string& why) {
+  throw Error(Error::Kind::scene, place, why);
+}
+
+const std::vector<double>& times_of(const Table& table, const std::string& place) {
+  const Column* time = table.find("time");
+  if (!time)
+    refuse(place, "a table has no time, at which another is looked at; leave `beside` out");
+  return time->numbers;
+}
+
+/// Adds the columns that another table alone has, as they are at this one's times.
+void put_beside(Table& table, const Table& other, const std::string& place) {
+  const std::vector<double> times = times_of(table, place);
+  for (const Column& c : other.columns) {
+    if (c.of_words() || table.find(c.name)) continue;
+    Column added{c.name, c.unit, {}, {}};
+    const Curve curve{times_of(other, place), c.numbers};
+    for (const double t : times) added.numbers.push_back(at(curve, t));
+    table.columns.push_back(std::move(added));
+  }
+}
+
+/// What a table tells by two formulas: the rows that count.
+Curve curve_of(const Table& table, const std::string& x, const std::string& y,
+               const std::string& when, const std::string& place) {
+  const auto xs = evaluate(x, table, place), ys = evaluate(y, table, place);
+  const auto counts =
+      when.empty() ? std::vector<double>(table.rows, 1) : evaluate(when, table, place);
+  Curve curve;
+  for (std::size_t i = 0; i < table.rows; ++i) {
+    if (counts[i] == 0 || !std::isfinite(xs[i]) || !std::isfinite(ys[i])) continue;
+    curve.x.push_back(xs[i]);
+    curve.y.push_back(ys[i]);
+  }
+  return curve;
+}
+
+/// Shifts x so that y first reaches a value at the same x as the other curve.
+void align(Curve& curve, const Curve& other, double value, const std::string& place) {
+  const auto reaches = [&](const Curve& c) {
+    for (std::size_t k = 1; k < c.x.size(); ++k)
+      if (c.y[k - 1] < value && c.y[k] >= value)
+        return c.x[k - 1] + (value - c.y[k - 1]) / (c.y[k] - c.y[k - 1]) * (c.x[k] - c.x[k - 1]);
+    refuse(place, fmt::format("neither curve may miss y = {}, at which they are aligned", value));
+  };
+  const double shift = reaches(other) - reaches(curve);
+  for (double& x : curve.x) x += shift;
+}
+
+void cut(Curve& curve, const ValidationMeasure& m) {
+  Curve kept;
+  for (std::size_t k = 0; k < curve.x.size(); ++k) {
+    if (m.from && curve.x[k] < *m.from) continue;
+    if (m.to && curve.x[k] > *m.to) continue;
+    kept.x.push_back(curve.x[k]);
+    kept.y.push_back(curve.y[k]);
+  }
+  curve = std::move(kept);
+}
+
+struct Line {
+  double slope, offset;
+};
+Line least_squares(const std::vector<double>& x, const std::vector<double>& y) {
+  const double n = double(x.size());
+  const double mx = std::accumulate(x.begin(), x.end(), 0.0) / n;
+  const double my = std::accumulate(y.begin(), y.end(), 0.0) / n;
+  double xx = 0, xy = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    xx += (x[k] - mx) * (x[k] - mx);
+    xy += (x[k] - mx) * (y[k] - my);
+  }
+  return {xy / xx, my - xy / xx * mx};
+}
+
+double period(const Curve& c) {
+  const double mean = std::accumulate(c.y.begin(), c.y.end(), 0.0) / double(c.y.size());
+  std::vector<double> ups;
+  for (std::size_t k = 1; k < c.y.size(); ++k)
+    if (c.y[k - 1] < mean && c.y[k] >= mean)
+      ups.push_back(c.x[k - 1] +
+                    (mean - c.y[k - 1]) / (c.y[k] - c.y[k - 1]) * (c.x[k] - c.x[k - 1]));
+  if (ups.size() < 2) return no_number;
+  return (ups.back() - ups.front()) / double(ups.size() - 1);
+}
+
+std::string plot_of(const ValidationMeasure& m, const Curve& curve, const Curve& expected) {
+  Chart chart;
+  Panel panel{"", m.x, m.y, {}};
+  const bool points = !m.reference.empty();
+  panel.series.push_back({"simulation", curve.x, curve.y, Series::Style::solid, -1});
+  if (!expected.x.empty())
+    panel.series.push_back({points ? "reference" : "expected", expected.x, expected.y,
+                            points ? Series::Style::points : Series::Style::dashed, -1});
+  chart.panels.push_back(std::move(panel));
+  return chart_svg(chart);
+}
+
+/// What is expected at the places of the curve: a file's points, or a formula in x.
+Curve expected_of(const ValidationCase& c, const ValidationMeasure& m, const Curve& curve,
+                  const std::string& place) {
+  if (!m.reference.empty())
+    return curve_of(read_table(c.folder / m.reference), m.rx, m.ry, "", place);
+  if (m.expected.empty()) return {};
+  return {curve.x, evaluate(m.expected, "x", curve.x, place)};
+}
+
+}  // namespace
+
+double at(const Curve& c, double x) {
+  const auto next = std::lower_bound(c.x.begin(), c.x.end(), x);
+  if (next == c.x.end() || (next == c.x.begin() && *next > x)) return no_number;
+  const auto k = std::size_t(next - c.x.begin());
+  if (c.x[k] == x) return c.y[k];
+  return c.y[k - 1] + (x - c.x[k - 1]) / (c.x[k] - c.x[k - 1]) * (c.y[k] - c.y[k - 1]);
+}
+
+double statistic(const std::string& word, const Curve& c, const std::string& place) {
+  if (c.y.empty())
+    refuse(place, "no row of the run's table is left to measure; is the run too short?");
+  if (word == "mean") return std::accumulate(c.y.begin(), c.y.end(), 0.0) / double(c.y.size());
+  if (word == "max") return *std::max_element(c.y.begin(), c.y.end());
+  if (word == "min") return *std::min_element(c.y.begin(), c.y.end());
+  if (word == "last") return c.y.back();
+  if (word == "slope") return least_squares(c.x, c.y).slope;
+  if (word == "period") return period(c);
+  if (word == "rate") {
+    std::vector<double> logs;
+    for (const double y : c.y) logs.push_back(std::log(y));
+    return least_squares(c.x, logs).slope;
+  }
+  refuse(place, fmt::format("statistic = \"{}\" is none of mean, min, max, last, slope, rate and "
+                            "period; choose one",
+                            word));
+}
+
+double difference(const std::string& norm, const Curve& curve, const Curve& expected,
+                  const Curve& points, std::optional<double> scale, const std::string& place) {
+  double most = 0, sum = 0, squares = 0, n = 0;
+  for (const double x : points.x) {
+    const double should = at(expected, x), is = at(curve, x);
+    if (std::isnan(should) || std::isnan(is)) continue;
+    const double d = std::abs(is - should) / scale.value_or(std::abs(should));
+    most = d > most || std::isnan(d) ? d : most;
+    sum += d;
+    squares += d * d;
+    ++n;
+  }
+  if (n == 0)
+    refuse(place, "the run and what is expected have no x in common; is the run too short?");
+  if (norm == "max") return most;
+  if (norm == "mean") return sum / n;
+  if (norm == "rms") return std::sqrt(squares / n);
+  refuse(place, fmt::format("norm = \"{}\" is none of max, mean and rms; choose one", norm));
+}
+
+ValidationResult measure(const ValidationCase& c, const ValidationMeasure& m,
+                         const std::filesystem::path& run) {
+  const std::string place = (c.folder / "case.toml").string() + ": measure " + m.name;
+  Table table = read_table(run / m.table);
+  if (!m.beside.empty()) put_beside(table, read_table(run / m.beside), place);
+  Curve curve = curve_of(table, m.x, m.y, m.when, place);
+  ValidationResult r{m.name, 0, {}, m.bound, false, m.reason, ""};
+  if (!m.statistic.empty()) {
+    cut(curve, m);
+    r.measured = statistic(m.statistic, curve, place);
+    r.value = *r.measured;
+    if (!m.expected.empty()) {
+      const double should = evaluate(m.expected, "x", {0.0}, place)[0];
+      r.value = std::abs(*r.measured - should) / m.scale.value_or(std::abs(should));
+    }
+    r.plot = plot_of(m, curve, {});
+  } else {
+    Curve expected = expected_of(c, m, curve, place);
+    if (m.align) align(curve, expected, *m.align, place);
+    cut(curve, m);
+    // Of measured points each counts once, however finely the simulation was looked at.
+    const bool points = !m.reference.empty();
+    if (points) cut(expected, m);
+    r.value = difference(m.norm, curve, expected, points ? expected : curve, m.scale, place);
+    r.plot = plot_of(m, curve, expected);
+  }
+  r.passed = !m.bound || r.value <= *m.bound;
+  return r;
+}
+
+}  // namespace freshet

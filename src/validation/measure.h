@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+
+#include "freshet/validate.h"
+
+namespace freshet {
+
+/// Points (x, y), the x ascending where a curve is compared.
+struct Curve {
+  std::vector<double> x, y;
+};
+
+/// y of a curve at x, linear between its points; no number beyond them.
+double at(const Curve& curve, double x);
+
+/// A number that says how y goes with x:
+///
+///   mean, min, max, last   of y
+///   slope                  of the line of least squares
+///   rate                   of y = a exp(rate x), by the line of least squares through ln y
+///   period                 mean distance of the x at which y goes up through its mean
+/// Throws Error (kind scene), at `place`, for another word or where there is nothing to look at.
+double statistic(const std::string& word, const Curve& curve, const std::string& place);
+
+/// Differences between a curve and what is expected, at the places of `points`, one of the two,
+/// where the other is known: the norm (max, mean, rms) of them over the scale, or without one over
+/// |expected|.
+double difference(const std::string& norm, const Curve& curve, const Curve& expected,
+                  const Curve& points, std::optional<double> scale, const std::string& place);
+
+/// Measures what a run has left in its folder.
+ValidationResult measure(const ValidationCase& c, const ValidationMeasure& m,
+                         const std::filesystem::path& run);
+
+}  // namespace freshet

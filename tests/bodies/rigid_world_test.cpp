@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+// Bodies without a fluid: what moves them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "bodies/bodies.h"
+#include "core/rotation.h"
+#include "mesh/mesh_distance.h"
+#include "scene/body_mesh.h"
+#include "scene/expressions.h"
+#include "scene/setup.h"
+
+namespace freshet::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// A drop far from everything, and these bodies.
+Scene scene_of(const std::string& bodies, bool flat = true, const std::string& domain = "") {
+  const std::string rest =
+      flat ? "[domain]\nmax = [10, 10]\n" + domain + "[fluid]\nmin = [9.5, 9.5]\nmax = [9.7, 9.7]\n"
+           : "[domain]\nmax = [10, 10, 10]\n"
+             "[fluid]\nmin = [9.5, 9.5, 9.5]\nmax = [9.7, 9.7, 9.7]\n";
+  return parse_scene(rest +
+                         "[particles]\nspacing = 0.1\n[solver]\nname = \"wcsph\"\n"
+                         "sound_speed = 10\n"
+                         "[time]\nend = 4\nstep = 0.001\n" +
+                         bodies,
+                     "test.toml");
+}
+
+class World {
+ public:
+  explicit World(const std::string& bodies, bool flat = true, const std::string& domain = "")
+      : scene_(scene_of(bodies, flat, domain)), bodies_(scene_), nothing_(bodies_.size()) {}
+  const BodyState& operator[](std::size_t k) const { return bodies_.states()[k]; }
+  void run(double duration, double dt = 0.001) {
+    for (const double end = time_ + duration - dt / 2; time_ < end; time_ += dt)
+      bodies_.step(time_, dt, nothing_);
+  }
+  Bodies& bodies() { return bodies_; }
+
+ private:
+  Scene scene_;
+  Bodies bodies_;
+  std::vector<SixNumbers> nothing_;
+  double time_ = 0;
+};
+
+double angle_of(const BodyState& b) { return 2 * std::atan2(b.orientation[2], b.orientation[3]); }
+
+class FreeBodies : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!moves_free_bodies()) GTEST_SKIP() << "built without Bullet";
+  }
+};
+
+TEST_F(FreeBodies, FallFreely) {
+  World w(
+      "[body]\nmin = [4, 7]\nmax = [5, 8]\nmotion = \"free\"\ndensity = 500\n"
+      "velocity = [1, 0]\nangular_velocity = 2\n");
+  w.run(0.5);
+  EXPECT_NEAR(5.0, w[0].position[0], 1e-9);
+  EXPECT_NEAR(7.5 - 9.81 / 2 * 0.25, w[0].position[1], 9.81 * 0.5 * 0.001);
+  EXPECT_NEAR(1.0, angle_of(w[0]), 1e-6);
+  EXPECT_EQ(0, w[0].position[2]);
+}
+
+TEST_F(FreeBodies, TurnAboutTheirAxisWithoutATorque) {
+  World w(
+      "[body]\nmin = [4, 7, 4]\nmax = [5, 7.5, 6]\nmotion = \"free\"\nmass = 3\n"
+      "angular_velocity = 2\nturn_axis = [1, 0, 0]\n",
+      false);
+  w.run(0.5);
+  EXPECT_NEAR(2.0, w[0].angular_velocity[0], 1e-6);
+  EXPECT_NEAR(std::sin(0.5), w[0].orientation[0], 1e-6);
+}
+
+TEST_F(FreeBodies, ComeToRestOnTheSidesOfTheDomain) {
+  World w(
+      "[body]\nmin = [4, 0.2]\nmax = [5, 1.2]\nmotion = \"free\"\ndensity = 500\n"
+      "restitution = 0\n");
+  w.run(2);
+  EXPECT_NEAR(0.5, w[0].position[1], 1e-3);
+  EXPECT_LT(std::abs(w[0].velocity[1]), 9.81 * 0.001) << "less than a step of gravity gives";
+  EXPECT_NEAR(0, angle_of(w[0]), 1e-3);
+}
+
+TEST_F(FreeBodies, BounceAsTheirRestitutionSays) {
+  World w(
+      "[body]\nshape = \"sphere\"\ncenter = [5, 3]\nradius = 0.5\nmotion = \"free\"\n"
+      "mass = 1\nrestitution = 0.5\n");
+  double fastest_up = 0;
+  for (int k = 0; k < 1000; ++k) {
+    w.run(0.001);
+    fastest_up = std::max(fastest_up, w[0].velocity[1]);
+  }
+  EXPECT_NEAR(0.5 * std::sqrt(2 * 9.81 * 2.5), fastest_up, 0.05);
+}
+
+TEST_F(FreeBodies, PushEachOther) {
+  World w(
+      "[[body]]\nshape = \"sphere\"\ncenter = [3, 5]\nradius = 0.5\nmotion = \"free\"\n"
+      "mass = 2\nvelocity = [1, 0]\nrestitution = 1\nfriction = 0\n"
+      "[[body]]\nshape = \"sphere\"\ncenter = [4.5, 5]\nradius = 0.5\nmotion = \"free\"\n"
+      "mass = 1\nrestitution = 1\nfriction = 0\n",
+      true, "gravity = [0, 0]\n");
+  w.run(2);
+  EXPECT_NEAR(1.0 / 3, w[0].velocity[0], 1e-3);
+  EXPECT_NEAR(4.0 / 3, w[1].velocity[0], 1e-3);
+}
+
+TEST_F(FreeBodies, SwingOnAHinge) {  // a bar on its end: T = 2 pi sqrt(2 L/(3 g)), L twice as long
+  World w(
+      "[body]\nname = \"bar\"\nmin = [4.9, 4]\nmax = [5.1, 6]\nmotion = \"free\"\nmass = 1\n"
+      "angular_velocity = 0.1\nvelocity = [0.1, 0]\n"
+      "[joint]\nbody = \"bar\"\npoint = [5, 6]\n");
+  const double inertia = 1.0 / 12 * (4 + 0.04) + 1, period = 2 * pi * std::sqrt(inertia / 9.81);
+  double turned = 0;
+  for (double t = 0; t < 4; t += 0.001) {
+    w.run(0.001);
+    if (t > 0.2 && turned == 0 && angle_of(w[0]) < 0) turned = t;  // half a period
+  }
+  EXPECT_NEAR(period / 2, turned, 0.01 * period);
+  const double x = w[0].position[0] - 5, y = w[0].position[1] - 6;
+  EXPECT_NEAR(1, std::hypot(x, y), 1e-3) << "it hangs on";
+}
+
+TEST_F(FreeBodies, AreTurnedByAMotor) {
+  for (const double speed : {3.0, -3.0}) {
+    World w(
+        "[body]\nname = \"wheel\"\nshape = \"sphere\"\ncenter = [5, 5]\nradius = 1\n"
+        "motion = \"free\"\nmass = 2\n"
+        "[joint]\nbody = \"wheel\"\npoint = [5, 5]\nmotor_speed = " +
+        std::to_string(speed) + "\nmotor_torque = 2\n");
+    w.run(0.5);  // inertia 1: 2 rad/s^2
+    EXPECT_NEAR(std::copysign(1, speed), w[0].angular_velocity[2], 0.01);
+    w.run(2);
+    EXPECT_NEAR(speed, w[0].angular_velocity[2], 1e-6);
+    EXPECT_NEAR(5, w[0].position[1], 1e-4);
+  }
+}
+
+TEST_F(FreeBodies, AreCarriedByMovedOnes) {
+  World w(
+      "[[body]]\nmin = [3, 2]\nmax = [7, 3]\nmotion = \"moved\"\nposition = [\"0\", \"0.5*t*t\"]\n"
+      "[[body]]\nmin = [4.5, 3.01]\nmax = [5.5, 4]\nmotion = \"free\"\ndensity = 100\n"
+      "restitution = 0\n");
+  w.run(1.5);
+  EXPECT_NEAR(2.5 + 0.5 * 1.5 * 1.5, w[0].position[1], 1e-9);
+  EXPECT_NEAR(w[0].position[1] + 0.5 + 0.495, w[1].position[1], 0.01);
+  EXPECT_NEAR(1.5, w[1].velocity[1], 0.02);
+}
+
+TEST(MovedBodies, GoWhereTheirFunctionsSay) {
+  if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
+  World w(
+      "[body]\nmin = [4, 4]\nmax = [6, 5]\nmotion = \"moved\"\n"
+      "position = [\"0.3*sin(2*t)\", \"0\"]\nangle = \"90*t\"\npivot = [4, 4.5]\n");
+  const double t = 0.7, a = pi / 2 * t;
+  const BodyState b = w.bodies().at(0, t, 0);
+  EXPECT_NEAR(4 + std::cos(a) + 0.3 * std::sin(2 * t), b.position[0], 1e-12);
+  EXPECT_NEAR(4.5 + std::sin(a), b.position[1], 1e-12);
+  EXPECT_NEAR(-pi / 2 * std::sin(a) + 0.6 * std::cos(2 * t), b.velocity[0], 1e-9);
+  EXPECT_NEAR(pi / 2 * std::cos(a), b.velocity[1], 1e-9);
+  EXPECT_NEAR(pi / 2, b.angular_velocity[2], 1e-9);
+}
+
+TEST(MovedBodies, GoThroughTheirKeyFrames) {
+  const std::string frames =
+      "[[body.key]]\ntime = 0\n[[body.key]]\ntime = 1\ntranslation = [1, 0]\nangle = 30\n"
+      "[[body.key]]\ntime = 3\ntranslation = [0, 1]\n";
+  const std::string body = "[body]\nmin = [4, 4]\nmax = [6, 5]\nmotion = \"moved\"\n";
+  for (const char* how : {"smooth", "linear"}) {
+    World w(body + "interpolation = \"" + how + "\"\n" + frames);
+    for (const auto& [time, x] : {std::pair{0.0, 5.0}, {1.0, 6.0}, {3.0, 5.0}, {9.0, 5.0}})
+      EXPECT_NEAR(x, w.bodies().at(0, time, 0).position[0], 1e-12) << how << time;
+    for (const double t : {0.3, 0.9, 1.4, 2.9}) {  // velocities are the slopes of places
+      const auto at = [&](double s) { return w.bodies().at(0, s, 0); };
+      EXPECT_NEAR((at(t + 1e-5).position[0] - at(t - 1e-5).position[0]) / 2e-5, at(t).velocity[0],
+                  1e-8);
+      EXPECT_NEAR((angle_of(at(t + 1e-5)) - angle_of(at(t - 1e-5))) / 2e-5,
+                  at(t).angular_velocity[2], 1e-8);
+    }
+  }
+  World smooth(body + frames), linear(body + "interpolation = \"linear\"\n" + frames);
+  EXPECT_NEAR(0, smooth.bodies().at(0, 1e-9, 0).velocity[0], 1e-6) << "from rest";
+  EXPECT_NEAR(1, linear.bodies().at(0, 1e-9, 0).velocity[0], 1e-12);
+}
+
+TEST(BodyShapes, OfAMeshAreThoseOfItsShape) {
+  const Scene boxes = scene_of("[body]\nmin = [4, 4, 4]\nmax = [5, 6, 7]\n", false);
+  const BodyShape box = body_shape(boxes.body[0]);
+  EXPECT_NEAR(6, box.volume, 1e-12);
+  EXPECT_NEAR(6 * (4 + 9) / 12.0, box.inertia[0][0], 1e-12);
+  EXPECT_NEAR(6 * (1 + 9) / 12.0, box.inertia[1][1], 1e-12);
+  const Scene others = scene_of(
+      "[[body]]\nshape = \"cylinder\"\ncenter = [3, 3, 3]\nradius = 1\nlength = 2\n"
+      "axis = [1, 1, 0]\n[[body]]\nshape = \"sphere\"\ncenter = [6, 6, 6]\nradius = 1\n",
+      false);
+  for (const Scene::Body& b : others.body) {
+    const BodyShape exact = body_shape(b);
+    TriangleMesh mesh = body_mesh(b);
+    EXPECT_TRUE(mend_mesh(mesh).closed());
+    const MeshDistance surface(mesh);
+    EXPECT_LT(surface.signed_distance(exact.center), -0.9) << "it faces outwards";
+    EXPECT_NEAR(exact.reach, norm(surface.high() - exact.center), 1.0);
+  }
+  const BodyShape rod = body_shape(others.body[0]);
+  const double along = pi * 2 * 0.5, across = pi * 2 * (0.25 + 4.0 / 12);
+  EXPECT_NEAR(along + across, rod.inertia[0][0] + rod.inertia[1][1], 1e-9);
+  EXPECT_NEAR(across, rod.inertia[2][2], 1e-9);
+  EXPECT_NEAR((along - across) / 2, rod.inertia[0][1], 1e-9);
+}
+
+}  // namespace
+}  // namespace freshet::test

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: MIT
+// Inlets bring what they say, outlets take what comes, counters count it: to the particle, and to
+// the same bits on every backend and after a restart.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "freshet/derived.h"
+#include "io/checkpoint.h"
+#include "sim/engines/select.h"
+#include "sim/observables.h"
+#include "sim/small_scenes.h"
+
+namespace freshet::test {
+namespace {
+
+/// A box of air, a slit of four places 0.2 m deep in it that looks to the right.
+std::string jet(const std::string& inlet, const std::string& time, const std::string& more = "",
+                const std::string& solver = "name = \"wcsph\"\nsound_speed = 30\n") {
+  return "[domain]\nmax = [1.6, 1.0]\ngravity = [0, 0]\n[particles]\nspacing = 0.05\n"
+         "[[inlet]]\nname = \"tap\"\ncenter = [0.4, 0.5]\ndirection = [2, 0]\nwidth = 0.2\n" +
+         inlet + more + "[solver]\n" + solver + "[time]\nend = 10\n" + time;
+}
+
+/// On one thread: there are few particles.
+Simulation small(const std::string& text) { return simulation_of(text, "cpu", {1, ""}); }
+
+void run_until(Simulation& sim, double time) {
+  while (sim.time() < time * (1 - 1e-9)) sim.step();
+}
+
+std::set<std::uint64_t> ids(const Simulation& sim) {
+  const auto f = sim.fluid();
+  return {f.id.begin(), f.id.end()};
+}
+
+// Layers go through at (k + 1/2) spacing/speed, those that are held stand behind the opening: after
+// 0.31 s at 2 m/s the flow has gone 12.4 spacings.
+TEST(Inlet, BringsItsRateToTheParticleWithAnyStep) {
+  for (const char* step :
+       {"step = 0.001", "step = 0.0007", "step = 0.05", "step = \"adaptive\"\nstep_max = 0.01"}) {
+    Simulation sim = small(jet("speed = 2\n", step + std::string("\n")));
+    while (sim.time() < 0.31 - 1e-9) {
+      sim.step();
+      const double gone = 2 * sim.time() / 0.05;
+      const auto through = std::int64_t(std::floor(gone + 0.5 + 1e-9));
+      // to the zone's back, half a spacing in
+      const auto born = std::int64_t(std::floor(gone + 1e-9)) + 3;
+      ASSERT_EQ(4 * through, sim.flows()[0].particles) << step << " at " << sim.time();
+      ASSERT_EQ(std::size_t(4 * born), sim.fluid().size()) << step << " at " << sim.time();
+    }
+    EXPECT_EQ(sim.fluid().size(), ids(sim).size());
+    EXPECT_EQ(sim.fluid().size() - 1, *ids(sim).rbegin()) << "ids count on";
+  }
+}
+
+TEST(Inlet, HoldsItsLatticeWhereItOughtToBe) {
+  Simulation sim = small(jet("speed = 2\n", "step = 0.0013\n"));
+  for (int k = 0; k < 57; ++k) sim.step();
+  const auto f = sim.fluid();
+  int held = 0;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    const double x = f.x[2 * i], y = f.x[2 * i + 1];
+    if (x >= 0.4) continue;
+    ++held;
+    const double layers = (x - 0.4 - 2 * sim.time()) / 0.05 + 0.5, places = (y - 0.425) / 0.05;
+    EXPECT_NEAR(layers, std::round(layers), 1e-5);
+    EXPECT_NEAR(places, std::round(places), 1e-5);
+    EXPECT_EQ(Real(2), f.v[2 * i]);
+    EXPECT_EQ(Real(0), f.v[2 * i + 1]);
+  }
+  EXPECT_EQ(8, held) << "of 2.5 spacings the layers 0.54 and 1.54 behind";
+}
+
+TEST(Inlet, BringsAFlowRateWhateverTheLatticeMakesOfItsWidth) {
+  std::string text = jet("flow_rate = 0.3\n", "step = 0.001\n");
+  text.replace(text.find("width = 0.2"), 11, "width = 0.23");  // 4.6 places are 5
+  Simulation sim = small(text);
+  run_until(sim, 0.4);
+  const Flow flow = sim.flows()[0];
+  EXPECT_NEAR(0.3 * 0.4, flow.volume, 5 * 0.05 * 0.05);
+  EXPECT_NEAR(0.3, flow.rate, 5 * 0.05 * 0.05 / 0.4);
+}
+
+TEST(Inlet, StopsAfterItsVolume) {
+  Simulation sim = small(jet("speed = 2\nstart = 0.03\nstop = 0.27\n", "step = 0.001\n"));
+  EXPECT_EQ(0u, sim.fluid().size());
+  run_until(sim, 0.029);
+  EXPECT_EQ(0u, sim.fluid().size());
+  run_until(sim, 0.03);
+  EXPECT_EQ(12u, sim.fluid().size()) << "the zone is filled";
+  run_until(sim, 0.5);
+  EXPECT_EQ(40, sim.flows()[0].particles) << "0.24 s at 2 m/s are 9.6 spacings";
+  EXPECT_EQ(40u, sim.fluid().size());
+}
+
+TEST(Inlet, FillsAnEmptySceneWithEverySolver) {
+  for (const char* solver : {"wcsph", "delta_sph", "pcisph", "iisph", "dfsph", "pbf"})
+    for (const char* backend : {"reference", "cpu"}) {
+      const bool weakly = solver == std::string("wcsph") || solver == std::string("delta_sph");
+      const std::string text =
+          jet("speed = 1\nstart = 0.011\n", "step = \"adaptive\"\nstep_max = 0.002\n",
+              "[walls]\nmethod = \"ghost\"\n",
+              "name = \"" + std::string(solver) + "\"\n" + (weakly ? "sound_speed = 20\n" : ""));
+      const Scene scene = parse_scene(text, "test.toml", {{"solver.backend", backend}});
+      if (!has_solver(scene.solver.name)) continue;
+      Simulation sim(scene);
+      EXPECT_EQ(0, sim.statistics().particles);
+      EXPECT_EQ(0u, sim.frame().size());
+      sim.wall_forces();
+      run_until(sim, 0.01);
+      EXPECT_EQ(0u, sim.fluid().size()) << solver;
+      run_until(sim, 0.1);
+      sim.wall_forces();
+      EXPECT_EQ(0, sim.statistics().out_of_bounds) << solver;
+      EXPECT_EQ(8, sim.flows()[0].particles) << solver << ": 0.089 s are 1.78 layers";
+      for (const SolveStatistics& s : sim.solves()) EXPECT_EQ(0, s.not_converged) << solver;
+    }
+}
+
+constexpr const char* outlet = "[[outlet]]\nname = \"drain\"\nmin = [1.2, 0]\nmax = [2, 1]\n";
+constexpr const char* counters =
+    "[[counter]]\nname = \"all\"\ncenter = [0.8, 0]\ndirection = [3, 0]\n"
+    "[[counter]]\nname = \"back\"\ncenter = [0.8, 0]\ndirection = [-1, 0]\n"
+    "[[counter]]\nname = \"lower half\"\ncenter = [0.8, 0.2]\ndirection = [1, 0]\nwidth = 0.6\n"
+    "[[counter]]\nname = \"beside\"\ncenter = [0.8, 0.9]\ndirection = [1, 0]\nwidth = 0.1\n";
+
+TEST(Counter, SeesWhatTheInletBrings) {
+  Simulation sim = small(
+      jet("speed = 2\n", "step = \"adaptive\"\nstep_max = 0.01\n", std::string(outlet) + counters));
+  run_until(sim, 1);
+  sim.flows();
+  run_until(sim, 3);
+  const auto flows = sim.flows();
+  ASSERT_EQ(6u, flows.size());
+  EXPECT_EQ("drain", flows[1].name);
+  const double rate = 2 * 0.2;
+  for (const int k : {0, 1, 2}) EXPECT_NEAR(rate, flows[std::size_t(k)].rate, 0.01 * rate);
+  EXPECT_EQ(-flows[2].particles, flows[3].particles);
+  EXPECT_NEAR(rate / 2, flows[4].rate, 0.01 * rate);
+  EXPECT_EQ(0, flows[5].particles);
+  // nothing is lost between: what has come is there, or has left
+  EXPECT_EQ(flows[0].particles + 12 - flows[1].particles, std::int64_t(sim.fluid().size()));
+  for (std::size_t i = 0; i < sim.fluid().size(); ++i) EXPECT_LE(sim.fluid().x[2 * i], 1.2f);
+}
+
+TEST(Counter, CountsAcrossAnEndThatRepeats) {
+  const std::string text =
+      "[domain]\nmax = [1.0, 0.5]\ngravity = [0, 0]\nperiodic = \"xy\"\n[particles]\nspacing = "
+      "0.05\n"
+      "[fluid]\nmin = [0, 0]\nmax = [1.0, 0.5]\nvelocity = [2, 0]\n"
+      "[[counter]]\ncenter = [0, 0]\ndirection = [1, 0]\n"
+      "[[counter]]\ncenter = [0.5, 0]\ndirection = [1, 0]\n"
+      "[solver]\nname = \"wcsph\"\nsound_speed = 30\n[time]\nend = 2\nstep = 0.0005\n";
+  Simulation sim = small(text);
+  run_until(sim, 1.01);  // twice round, and a bit
+  for (const Flow& flow : sim.flows()) EXPECT_EQ(400, flow.particles) << flow.name;
+}
+
+// Of a layer some particles get there before the others, and wait for them.
+TEST(Recycling, BringsBackWhatLeaves) {
+  const char* round =
+      "[[outlet]]\nname = \"drain\"\nshape = \"sphere\"\ncenter = [1.3, 0.6]\nradius = 0.3\n";
+  Simulation sim = small(
+      jet("speed = 2\nrecycle = \"drain\"\n", "step = \"adaptive\"\nstep_max = 0.01\n", round));
+  EXPECT_EQ(12u, sim.fluid().size()) << "the zone, and no more";
+  bool waited = false;
+  while (sim.time() < 1.5) {
+    sim.step();
+    const auto flows = sim.flows();
+    ASSERT_EQ(12, std::int64_t(sim.fluid().size()) + flows[0].waiting) << sim.time();
+    waited |= flows[0].waiting > 0;
+  }
+  EXPECT_TRUE(waited);
+  const auto flows = sim.flows();
+  EXPECT_GT(flows[1].particles, 20) << "round and round";
+  EXPECT_GT(*ids(sim).rbegin(), 30u) << "an id is never used again";
+}
+
+struct Outcome {
+  std::string state, kept;
+  std::vector<std::int64_t> flows;
+  std::vector<Vector> forces;
+  double time;
+  bool operator==(const Outcome&) const = default;
+};
+Outcome outcome_of(Simulation& sim) {
+  Outcome out{sim.state_sha256(), sim.kept_sha256(), {}, sim.wall_forces(), sim.time()};
+  for (const Flow& flow : sim.flows()) {
+    out.flows.push_back(flow.particles);
+    out.flows.push_back(flow.waiting);
+    out.flows.push_back(std::llround(1e9 * flow.rate));
+  }
+  return out;
+}
+
+/// Jets that meet a wall, a drain that feeds one of them, walls of several kinds.
+std::string river(const std::string& solver, const std::string& time) {
+  return "[domain]\nmax = [1.6, 1.0]\n[particles]\nspacing = 0.05\n"
+         "[[fluid]]\nmin = [0.6, 0]\nmax = [1.2, 0.3]\n"
+         "[[inlet]]\nname = \"tap\"\ncenter = [0.3, 0.5]\ndirection = [1, -0.5]\nwidth = 0.2\n"
+         "speed = 2.3\n"
+         "[[inlet]]\nname = \"again\"\ncenter = [1.2, 0.8]\ndirection = [-1, 0]\nwidth = 0.15\n"
+         "speed = 1.7\nstart = 0.02\nrecycle = \"drain\"\n"
+         "[[outlet]]\nname = \"drain\"\nmin = [1.0, 0]\nmax = [1.6, 0.2]\n"
+         "[[counter]]\ncenter = [0.8, 0]\ndirection = [1, 0]\n"
+         "[walls]\nx_min = \"reflection\"\ny_min = \"ghost\"\n[solver]\n" +
+         solver + "[time]\nend = 1\n" + time;
+}
+constexpr const char* fixed = "step = 0.001\n";
+constexpr const char* adaptive = "step = \"adaptive\"\nstep_max = 0.004\n";
+
+struct Words {
+  const char *solver, *time;
+};
+void PrintTo(const Words& w, std::ostream* out) { *out << w.solver << w.time; }
+class Flows : public ::testing::TestWithParam<Words> {
+ protected:
+  void SetUp() override {
+    text_ = river(GetParam().solver, GetParam().time);
+    if (!has_solver(parse_scene(text_, "test.toml").solver.name))
+      GTEST_SKIP() << "not compiled in this build";
+  }
+  std::string text_;
+};
+
+TEST_P(Flows, HaveTheReferencesBits) {
+  const auto run = [&](const char* backend, const Execution& execution) {
+    Simulation sim = simulation_of(text_, backend, execution);
+    for (int k = 0; k < 60; ++k) {
+      sim.step();
+      if (k % 20 == 7) sim.wall_forces();
+    }
+    return outcome_of(sim);
+  };
+  const Outcome reference = run("reference", {});
+  EXPECT_GT(reference.flows[6], 10) << "some have left";
+  for (const std::string& isa : instruction_sets())
+    for (const int threads : {7, 2, 1}) {
+      const Outcome cpu = run("cpu", {threads, isa});
+      EXPECT_EQ(reference.state, cpu.state) << isa << " on " << threads;
+      EXPECT_EQ(reference.kept, cpu.kept) << isa << " on " << threads;
+      EXPECT_EQ(reference.flows, cpu.flows) << isa << " on " << threads;
+      EXPECT_EQ(reference.forces, cpu.forces) << isa << " on " << threads;
+      EXPECT_EQ(reference.time, cpu.time) << isa << " on " << threads;
+    }
+}
+
+// Into a fresh simulation, which has fewer particles, and into one that has gone on, which has
+// others.
+TEST_P(Flows, GoOnAfterARestart) {
+  for (const char* backend : {"reference", "cpu"}) {
+    Simulation first = simulation_of(text_, backend, {2, ""});
+    for (int k = 0; k < 64; ++k) first.step();
+    const Checkpoint saved =
+        decode_checkpoint(encode_checkpoint(first.checkpoint()), "a checkpoint");
+    const std::size_t then = first.fluid().size();
+    for (int k = 0; k < 30; ++k) first.step();
+    EXPECT_NE(then, first.fluid().size());
+    const Outcome expected = outcome_of(first);
+    Simulation second = simulation_of(text_, backend, {1, ""});
+    EXPECT_NE(then, second.fluid().size());
+    for (Simulation* sim : {&second, &first}) {
+      sim->restore(saved);
+      EXPECT_EQ(then, sim->fluid().size());
+      for (int k = 0; k < 30; ++k) sim->step();
+      EXPECT_EQ(expected, outcome_of(*sim)) << backend;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfSolvers, Flows,
+    ::testing::Values(Words{"name = \"wcsph\"\nsound_speed = 30\n", adaptive},
+                      Words{"name = \"wcsph\"\nsound_speed = 30\n",
+                            "step = 0.0005\nintegrator = \"leapfrog\"\n"},
+                      Words{"name = \"delta_sph\"\nsound_speed = 30\n", "step = 0.0005\n"},
+                      Words{"name = \"pcisph\"\n", fixed}, Words{"name = \"iisph\"\n", fixed},
+                      Words{"name = \"dfsph\"\n", adaptive},
+                      Words{"name = \"dfsph\"\nmax_iterations = 3\n", "step = 0.004\n"},
+                      Words{"name = \"pbf\"\n", fixed}));
+
+TEST(Restart, OfAnotherSceneLeavesAllAsItWas) {
+  Simulation sim = small(jet("speed = 2\n", fixed));
+  for (int k = 0; k < 40; ++k) sim.step();
+  Simulation other = small(jet("speed = 2\n", fixed, counters));
+  for (int k = 0; k < 90; ++k) other.step();
+  const std::string before = other.kept_sha256();
+  EXPECT_THROW(other.restore(sim.checkpoint()), Error);
+  EXPECT_EQ(before, other.kept_sha256());
+  other.step();
+}
+
+TEST(Restart, OfAnEmptySceneEmptiesIt) {
+  const std::string text = jet("speed = 2\nstart = 0.01\n", fixed);
+  Simulation sim = small(text);
+  sim.step();
+  const Checkpoint empty = decode_checkpoint(encode_checkpoint(sim.checkpoint()), "a checkpoint");
+  for (int k = 0; k < 40; ++k) sim.step();
+  const std::string state = sim.kept_sha256();
+  sim.restore(empty);
+  EXPECT_EQ(0u, sim.fluid().size());
+  for (int k = 0; k < 40; ++k) sim.step();
+  EXPECT_EQ(state, sim.kept_sha256());
+}
+
+TEST(FlowsOfAScene, AreReckonedWith) {
+  const Scene scene = parse_scene(jet("speed = 2\nstop = 0.27\n", fixed, outlet), "test.toml");
+  const Derived d = derive(scene);
+  EXPECT_EQ(12, d.particles);
+  EXPECT_GE(d.most_particles, 44);
+  EXPECT_LE(d.most_particles, 44 + 12);
+  ASSERT_EQ(1u, d.inlets.size());
+  EXPECT_EQ("tap", d.inlets[0].name);
+  EXPECT_EQ(4, d.inlets[0].particles);
+  EXPECT_DOUBLE_EQ(0.4, d.inlets[0].rate);
+}
+
+TEST(FlowsOfAScene, HaveColumnsOfTheirOwn) {
+  Simulation sim = small(jet("speed = 2\n", fixed, outlet));
+  const std::string header = observables_header(sim.scene());
+  EXPECT_NE(std::string::npos,
+            header.find(",particles,volume through tap [m^2],flow through tap [m^2/s],"
+                        "volume through drain [m^2],flow through drain [m^2/s],force on x_min"));
+  for (int k = 0; k < 50; ++k) sim.step();
+  const auto flows = sim.flows();
+  const std::string line = observables_line(sim, sim.wall_forces(), flows);
+  EXPECT_EQ(std::count(header.begin(), header.end(), ','),
+            std::count(line.begin(), line.end(), ','));
+  EXPECT_NE(std::string::npos, line.find(",20,0.02,0.4,0,0,")) << line;
+}
+
+TEST(Inlet, BringsALiquidOfItsOwn) {
+  const std::string fluid =
+      "rest_density = 400\n[[fluid]]\nmin = [1, 0]\nmax = [1.6, 0.2]\nrest_density = 1000\n";
+  for (const char* backend : {"reference", "cpu"}) {
+    Simulation sim = simulation_of(jet("speed = 2\n" + fluid, "step = 0.0003\n"), backend, {1, ""});
+    for (int k = 0; k < 300; ++k) sim.step();
+    const auto f = sim.fluid();
+    std::int64_t light = 0;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      EXPECT_EQ(f.id[i] >= 48, f.liquid[i] == 1);
+      light += f.liquid[i];
+      EXPECT_LT(f.density[i], f.liquid[i] ? 420 : 1050);
+    }
+    EXPECT_EQ(std::int64_t(f.size()) - 48, light);
+    EXPECT_GT(light, 12);
+  }
+}
+
+// Discs and rectangles in 3D, at any angle.
+TEST(Inlet, BringsItsRateIn3D) {
+  for (const char* opening : {"radius = 0.16\n", "width = 0.3\nheight = 0.2\nup = [0, 0, 1]\n"}) {
+    const std::string text =
+        "[domain]\nmax = [1, 1, 1]\n[particles]\nspacing = 0.05\n"
+        "[inlet]\ncenter = [0.5, 0.6, 0.5]\ndirection = [1, -2, 0.5]\nflow_rate = 0.2\n" +
+        std::string(opening) +
+        "[solver]\nname = \"wcsph\"\nsound_speed = 60\n[time]\nend = 1\nstep = 0.0005\n";
+    Simulation sim = small(text);
+    run_until(sim, 0.1);
+    const Flow flow = sim.flows()[0];
+    EXPECT_NEAR(0.02, flow.volume, 32 * std::pow(0.05, 3)) << opening;
+  }
+}
+
+}  // namespace
+}  // namespace freshet::test

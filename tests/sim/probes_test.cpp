@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// What probes tell of a fluid whose fields are known.
+#include "sim/probes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "scene/expressions.h"
+#include "sim/small_scenes.h"
+
+namespace freshet::test {
+namespace {
+
+/// A block at rest, 0 to 1 along x and 0 to 0.6 along y, whose velocity is (y, 0).
+std::string block(const std::string& probe, const std::string& more = "") {
+  return "[domain]\nmax = [2.0, 1.0]\ngravity = [0, 0]\n" + more +
+         "[particles]\nspacing = 0.02\n[fluid]\nmin = [0, 0]\nmax = [1, 0.6]\nvelocity_field = "
+         "[\"y\", \"0\"]\n" +
+         probe +
+         "[walls]\nmethod = \"reflection\"\n[solver]\nname = \"wcsph\"\nsound_speed = "
+         "10\n[time]\nend = 1\nstep = "
+         "1e-4\n";
+}
+
+/// The numbers of the last line that the first probe tells.
+std::vector<double> look(const std::string& scene, double time = 0.5) {
+  Simulation sim = simulation_of(scene);
+  const auto lines = Probes(sim.scene()).look(time, sim.fluid());
+  std::istringstream in(lines.at(0).substr(lines[0].rfind('\n', lines[0].size() - 2) + 1));
+  std::vector<double> numbers;
+  for (std::string word; std::getline(in, word, ',');) numbers.push_back(std::stod(word));
+  return numbers;
+}
+
+TEST(Probes, AskAtAPoint) {
+  if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
+  const auto inside = look(block("[probe]\nat = [0.5, 0.3]\n"));  // t, x, y, fraction, v, rho, p
+  ASSERT_EQ(8u, inside.size());
+  EXPECT_NEAR(0.5, inside[0], 1e-12);
+  EXPECT_NEAR(1, inside[3], 0.02);
+  EXPECT_NEAR(0.3, inside[4], 1e-3) << "a linear field is told as it is";
+  EXPECT_NEAR(0, inside[5], 1e-9);
+  EXPECT_NEAR(1000, inside[6], 1);
+  const auto edge = look(block("[probe]\nat = [0.5, 0.6]\n"));
+  EXPECT_NEAR(0.5, edge[3], 0.05);
+  const auto outside = look(block("[probe]\nat = [1.5, 0.3]\n"));
+  EXPECT_EQ(0, outside[3]);
+  EXPECT_TRUE(std::isnan(outside[6])) << "no fluid has no density";
+}
+
+TEST(Probes, FindTheSurface) {
+  if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
+  const auto up = look(block("[probe]\nkind = \"surface\"\nfrom = [0.5, 0]\nto = [0.5, 1]\n"));
+  EXPECT_NEAR(0.6, up[1], 0.005);
+  const auto along = look(block("[probe]\nkind = \"surface\"\nfrom = [0, 0.3]\nto = [2, 0.3]\n"));
+  EXPECT_NEAR(1.0, along[1], 0.005);
+  const auto dry = look(block("[probe]\nkind = \"surface\"\nfrom = [1.5, 0]\nto = [1.5, 1]\n"));
+  EXPECT_EQ(0, dry[1]);
+}
+
+TEST(Probes, SeeBeyondAPeriodicEnd) {
+  if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
+  const std::string periodic = "periodic = \"y\"\n";
+  std::string full = block("[probe]\nat = [0.5, 0.0]\n", periodic);
+  full.replace(full.find("max = [1, 0.6]"), 14, "max = [1, 1.0]");
+  EXPECT_NEAR(1, look(full)[3], 0.02);
+}
+
+TEST(Probes, TellTheSameWhateverTheOrderOfTheParticles) {
+  if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
+  const std::string text = block(
+      "[probe]\nkind = \"line\"\nfrom = [0, 0.3]\nto = [1.2, 0.3]\n"
+      "count = 20\n");
+  const auto told = [&](const char* backend, int threads) {
+    Simulation sim = simulation_of(text, backend, {threads, ""});
+    for (int k = 0; k < 10; ++k) sim.step();
+    return Probes(sim.scene()).look(sim.time(), sim.fluid());
+  };
+  EXPECT_EQ(told("reference", 1), told("cpu", 2));
+  EXPECT_EQ(20, std::ranges::count(told("cpu", 1)[0], '\n'));
+}
+
+}  // namespace
+}  // namespace freshet::test
