@@ -22,16 +22,17 @@ template <int D> struct Group {
   Cell<D> cell;      // of the lowest along x
   int cells;         // along x
 
-  /// As many from `first` on as are close together. Borders of cells are kept a hair away from:
-  /// who lies there, or is lost, makes a group of its own.
+  /// As many from `first` on as are close together, and not across a seam, where a search around
+  /// both ends would meet particles twice. Borders of cells are kept a hair away from: who lies
+  /// there, or is lost, makes a group of its own.
   FRESHET_HD Group(const CpuCellGrid<D>& targets, int first, int end) : first(first) {
     const Cells<D>& cells_of = targets.cells();
     low = high = targets.position(first);
     cell = cells_of(low);
     unsigned near = (1u << (end - first)) - 1;
     for (int d = 0; d < D; ++d) {
-      const double from = d == 0 ? cells_of.along(low.x, 0) - most_cells : cell.c[d] + 1e-3;
-      const double to = d == 0 ? from + 2 * most_cells : cell.c[d] + 1 - 1e-3;
+      const double from = d == 0 ? cell.c[0] : cell.c[d] + 1e-3;
+      const double to = d == 0 ? from + most_cells : cell.c[d] + 1 - 1e-3;
       const Pack x = load(targets.component(d) + first);
       near &= bits(Pack(Real(cells_of.begin(from, d))) < x) &
               bits(x < Pack(Real(cells_of.begin(to, d))));
@@ -47,7 +48,8 @@ template <int D> struct Group {
   }
 
  private:
-  /// Few cells: many searches. Many: many candidates that are near others only.
+  /// Few cells: many searches. Many: many candidates that are near others only. With those around
+  /// them they are fewer than 16, the shortest row that wraps.
   static constexpr int most_cells = 6;
 };
 
