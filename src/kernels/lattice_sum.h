@@ -22,6 +22,22 @@ template <int D, class F> void on_lattice(double spacing, double support_radius,
       }
 }
 
+/// The mean of r in a kernel, the integral of r W(r) over all space [m]. 2/pi of it in 2D, half of
+/// it in 3D, is the mean distance from a plane through the middle.
+template <int D, class Kernel> double mean_distance(const Kernel& W, double support_radius) {
+  constexpr int shells = 1000;
+  const double dr = support_radius / shells;
+  double sum = 0;
+  for (int k = 0; k < shells; ++k) {
+    const double r = (k + 0.5) * dr;
+    Vec<D> x{};
+    x.x = Real(r);
+    const double shell = D == 2 ? 2 * double(pi) * r : 4 * double(pi) * r * r;
+    sum += r * double(W(Pair<D, Real>(x))) * shell * dr;
+  }
+  return sum;
+}
+
 /// sum_j |grad W(x_j)|^2 over the lattice [1/m^(2D + 2)].
 template <int D, class Kernel>
 double lattice_response(const Kernel& W, double spacing, double support_radius) {

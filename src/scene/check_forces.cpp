@@ -58,7 +58,7 @@ void check_surface(const Scene& s, Findings& out) {
                 "flatten in the wind; water's is 0.0728");
     if (!acts && !flattens)
       out.unused(at + "surface_tension", "fluid.surface_tension",
-                 "solver.surface_tension_method is \"none\"; choose \"akinci2013\", or remove it");
+                 "solver.surface_tension_method is \"none\"; choose \"morris2000\", or remove it");
     if (method != SurfaceTensionMethod::akinci2013)
       out.unused(at + "adhesion", "fluid.adhesion",
                  "only akinci2013 knows adhesion; remove it, or choose "
@@ -71,6 +71,27 @@ void check_surface(const Scene& s, Findings& out) {
         out.error(at + key,
                   fmt::format("fluid[{}] and fluid[0] differ in {}; give all the same", k, key));
   }
+}
+
+/// What has no samples does not tell where the liquid ends at a wall from where it ends at all.
+void check_surface_at_walls(const Scene& s, Findings& out) {
+  if (s.solver.surface_tension_method != SurfaceTensionMethod::morris2000) return;
+  const auto refuse = [&](WallMethod m, const std::string& key) {
+    if (m != WallMethod::monaghan2009 && m != WallMethod::reflection) return false;
+    out.error(key, fmt::format("walls of \"{}\" have no volume, and morris2000 takes what lies at "
+                               "them for a free surface; choose \"akinci2012\", \"adami2012\" or "
+                               "\"ghost\", or surface_tension_method = \"akinci2013\"",
+                               method_words[int(m)]));
+    return true;
+  };
+  const std::vector<std::string> names = s.wall_names();
+  for (int side = 0; side < 2 * s.dimension(); ++side) {
+    const std::string own = "walls." + names[std::size_t(side)];
+    if (!s.periodic(side / 2) && refuse(s.side_method(side), out.given(own) ? own : "walls.method"))
+      return;
+  }
+  for (std::size_t k = 0; k < s.wall.size(); ++k)
+    if (refuse(s.wall_method(k), fmt::format("wall[{}].method", k))) return;
 }
 
 /// Walls whose samples attract the liquid.
@@ -140,6 +161,7 @@ void check_forces(const Scene& s, Findings& out) {
   if (s.solver.name == SolverName::mueller2003) check_mueller2003_has_none(s, out);
   else check_viscosity(s, out);
   check_surface(s, out);
+  check_surface_at_walls(s, out);
   check_adhesion(s, out);
   check_vorticity(s, out);
   check_shifting(s, out);

@@ -39,8 +39,9 @@ void solver_force_keys(KeyVisitor& v, Scene::Solver& s) {
              .max = 1e6});
   v.choice("surface_tension_method", s.surface_tension_method, tension_words,
            {.unit = "",
-            .text = "how fluid.surface_tension acts: `akinci2013`, named after its paper; not for "
-                    "`mueller2003`"});
+            .text = "how fluid.surface_tension acts: `morris2000` by the curvature of the surface, "
+                    "so that σ is in N/m; `akinci2013` by what particles near it attract, for "
+                    "splashes and walls that are wetted; not for `mueller2003`"});
   v.choice("shifting_method", s.shifting_method, shifting_words,
            {.unit = "",
             .text = "`sun2017`: particles go on a little from where they crowd, for flows that "

@@ -22,6 +22,7 @@ class Warnings {
     periodic();
     step();
     inlets();
+    surface();
     for (std::size_t k = 0; k < s_.fluid.size(); ++k) mesh("fluid", k, s_.fluid[k]);
     for (std::size_t k = 0; k < s_.wall.size(); ++k) mesh("wall", k, s_.wall[k]);
     for (std::size_t k = 0; k < s_.body.size(); ++k) mesh("body", k, s_.body[k]);
@@ -117,6 +118,22 @@ class Warnings {
         warn(fmt::format("inlet[{}].start", k),
              fmt::format("{} starts at {:g} s, when the run is over: it brings nothing", d.name,
                          in.start));
+    }
+  }
+  /// Measured with six solvers (docs/forces.md).
+  void surface() {
+    if (s_.solver.surface_tension_method != SurfaceTensionMethod::morris2000 ||
+        s_.viscosity_method() == ViscosityMethod::artificial)
+      return;
+    for (std::size_t k = 0; k < s_.fluid.size(); ++k) {
+      const Scene::Fluid& f = s_.fluid[k];
+      const double least =
+          0.03 * std::sqrt(f.surface_tension.value_or(0) * f.rest_density * d_.spacing);
+      if (f.viscosity < least)
+        warn(fmt::format("fluid[{}].viscosity", k),
+             fmt::format("at this spacing a surface of morris2000 is calm from {:.2g} Pa s on, and "
+                         "the viscosity is {:g}; make it larger, or the spacing smaller",
+                         least, f.viscosity));
     }
   }
   void step() {

@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 
+#include "kernels/lattice_sum.h"
 #include "kernels/scene_kernel.h"
 #include "scene/solid_of.h"
 #include "sim/engine.h"
@@ -79,6 +80,11 @@ template <int D> ForceParameters<D> force_parameters(const Scene& s, const Deriv
   apart.x = Real(d.spacing);
   c.W_spacing = SceneKernel<D>(Real(h), kernel_order(s))(Pair<D, Real>(apart));
   c.neighbors_inside = Real(d.neighbors);
+  c.depth = Real(mean_distance<D>(SceneKernel<D>(Real(h), kernel_order(s)), h) *
+                 (D == 2 ? 2 / double(pi) : 0.5));
+  c.no_walls = s.wall.empty();
+  for (int side = 0; side < 2 * D; ++side)
+    c.no_walls &= s.periodic(side / 2) || s.side_method(side) == WallMethod::open;
   return c;
 }
 

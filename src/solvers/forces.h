@@ -8,6 +8,7 @@
 #include "pairs/morris1997.h"
 #include "solvers/bender2017.h"
 #include "solvers/gissler2017.h"
+#include "solvers/morris2000.h"
 #include "solvers/sun2017.h"
 #include "solvers/weiler2018.h"
 
@@ -17,7 +18,7 @@ inline namespace FRESHET_ISA {
 /// Which forces act, and their numbers. Tables are by the number of the liquid.
 template <int D> struct ForceParameters {
   enum class Viscosity { solvers_own, monaghan2005, morris1997, weiler2018 };
-  enum class Tension { none, akinci2013 };
+  enum class Tension { none, akinci2013, morris2000 };
   Viscosity viscosity;
   Tension tension;
   bool vorticity, drag, shifting;
@@ -35,6 +36,8 @@ template <int D> struct ForceParameters {
   Air<D> air;
   Real W_spacing;         ///< W at the distance of one spacing [1/m^D]
   Real neighbors_inside;  ///< in a resting lattice
+  Real depth;             ///< mean of |x| in W [m]
+  bool no_walls;          ///< nothing holds the fluid
   Real eps_h2() const { return Real(0.01f) * h * h; }
   bool any() const {
     return viscosity != Viscosity::solvers_own || tension != Tension::none || vorticity || drag ||
@@ -53,6 +56,7 @@ class Forces final : public NonPressureForces<D, B> {
         W(W),
         implicit_(W, c.m, c.rho0, c.eps_h2(), c.implicit),
         vorticity_{W, c.m, c.nu_t, c.Theta, {}},
+        curvature_{W, c.m, c.rho0, c.support, c.spacing, c.depth, c.no_walls, {}, {}, {}},
         shifting_{W, c.m, c.rho0, c.h, c.W_spacing, {}, {}, {}} {
     for (int k = 0; k < c.liquids; ++k)
       drag_.push_back({c.air, double(c.support), std::pow(double(c.m / c.rho0), 1.0 / D),
@@ -62,7 +66,8 @@ class Forces final : public NonPressureForces<D, B> {
 
   void fields(FieldMaker<D>& maker) override {
     maker.make("push", Keep::scratch, push_);
-    if (c.tension != P::Tension::none) maker.make("surface_normal", Keep::scratch, normal_);
+    if (c.tension == P::Tension::akinci2013) maker.make("surface_normal", Keep::scratch, normal_);
+    if (c.tension == P::Tension::morris2000) curvature_.fields(maker);
     if (c.viscosity == P::Viscosity::weiler2018) implicit_.fields(maker);
     if (c.vorticity) vorticity_.fields(maker);
     if (c.shifting) shifting_.fields(maker);
@@ -127,6 +132,8 @@ class Forces final : public NonPressureForces<D, B> {
     if (c.viscosity == P::Viscosity::monaghan2005) add_monaghan2005(backend, f, w);
     if (c.viscosity == P::Viscosity::morris1997) add_morris1997(backend, f, w);
     if (c.tension == P::Tension::akinci2013) add_akinci2013(backend, f, w);
+    if (c.tension == P::Tension::morris2000)
+      curvature_.push(backend, f, w, of(f, c.sigma), of(f, c.lightness), push);
     if (c.vorticity) {
       vorticity_.turn(backend, f, dt);
       vorticity_.push(backend, f, push);
@@ -252,11 +259,12 @@ class Forces final : public NonPressureForces<D, B> {
   Kernel<D> W;
   Weiler2018<D, B, Kernel> implicit_;
   Bender2017<D, B, Kernel> vorticity_;
+  Morris2000<D, B, Kernel> curvature_;
   Sun2017<D, B, Kernel> shifting_;
   std::vector<Gissler2017<D>> drag_;  // by liquid
   std::optional<Solve> solve_;
   Field<Vec<D>> push_;    // scratch: what acts [m/s^2], or velocities of the implicit solve
-  Field<Vec<D>> normal_;  // scratch: of the surface
+  Field<Vec<D>> normal_;  // scratch: of the surface, of Akinci 2013
 };
 
 }  // namespace FRESHET_ISA

@@ -141,7 +141,8 @@ TEST_P(Liquids, HaveTheSameBitsOnAnyThreadsAndAfterARestart) {
     return sim.kept_sha256();
   };
   const std::string reference = run("reference", 1, false);
-  for (const int threads : {1, 2, 7}) EXPECT_EQ(reference, run("cpu", threads, false)) << threads;
+  for (const int threads : {7, 2, 1})  // descending: clang's libomp leaks when a team grows
+    EXPECT_EQ(reference, run("cpu", threads, false)) << threads;
   EXPECT_EQ(reference, run("cpu", 2, true));
 }
 

@@ -26,15 +26,17 @@ Simulation drop_of(const Drop& d, double spacings, double step) {
   const auto vector = [&](double x) {
     return d.dimension == 2 ? fmt::format("[{0}, {0}]", x) : fmt::format("[{0}, {0}, {0}]", x);
   };
-  const bool weakly = std::string(d.solver) == "wcsph";
+  const bool weakly = std::string(d.solver) == "wcsph" || std::string(d.solver) == "delta_sph";
   return simulation_of(fmt::format(
       "[domain]\nmax = {}\ngravity = {}\n[walls]\nmethod = \"open\"\n[particles]\nspacing = "
       "{}\nsupport_radius = {}\n"
       "[fluid]\nshape = \"sphere\"\ncenter = {}\nradius = {}\nviscosity = {}\n"
-      "surface_tension = {}\n[solver]\nname = \"{}\"\nsurface_tension_method = \"{}\"\n{}\n[time]\n"
+      "surface_tension = {}\n[solver]\nname = \"{}\"\nsurface_tension_method = "
+      "\"{}\"\n{}{}\n[time]\n"
       "end = 100\nstep = {}\n",
-      vector(length), vector(0), spacing, 2 * spacing, vector(length / 2), spacings * spacing,
-      d.viscosity, d.sigma, d.solver, d.method,
+      vector(length), vector(0), spacing, (std::string(d.method) == "morris2000" ? 3 : 2) * spacing,
+      vector(length / 2), spacings * spacing, d.viscosity, d.sigma, d.solver, d.method,
+      std::string(d.method) == "morris2000" ? "kernel = \"wendland_c2\"\n" : "",
       weakly ? "sound_speed = 3.0\nviscosity_method = \"monaghan2005\"" : "xsph = 0", step));
 }
 
@@ -83,6 +85,78 @@ TEST(Akinci2013, MakesASquareRound) {
   for (int n = 0; n < 4000; ++n) sim.step();
   EXPECT_LT(before, -0.1);
   EXPECT_GT(fourth(sim), 0.25 * before);
+}
+
+/// The mean of the pressure within half the radius of a drop, over what Laplace says.
+double laplace(const Drop& d, double spacings, int steps) {
+  Simulation sim = drop_of(d, spacings, 2e-4);
+  const auto D = std::size_t(d.dimension);
+  const double middle = spacing * (spacings + 5);
+  double sum = 0, count = 0;
+  for (int n = 0; n < steps; ++n) {
+    sim.step();
+    if (n < steps / 2) continue;
+    const ParticleView f = sim.fluid();
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      double r2 = 0;
+      for (std::size_t k = 0; k < D; ++k) r2 += std::pow(double(f.x[D * i + k]) - middle, 2);
+      if (r2 > std::pow(spacing * spacings / 2, 2)) continue;
+      sum += double(f.pressure[i]);
+      ++count;
+    }
+  }
+  return sum / count / (double(D - 1) * d.sigma / (spacing * spacings));
+}
+
+// A support of 3 spacings: a quarter of the 2D drop's radius, nearly half of the 3D drop's.
+TEST(Morris2000, HasThePressureOfLaplace) {
+  for (const char* solver : {"wcsph", "delta_sph", "iisph"}) {
+    if (!compiled(solver)) continue;
+    EXPECT_NEAR(1, laplace({2, solver, "morris2000", 0.05, 0.02}, 12, 4000), 0.1) << solver;
+  }
+  for (const char* solver : {"wcsph", "iisph"}) {
+    if (!compiled(solver)) continue;
+    EXPECT_NEAR(1, laplace({3, solver, "morris2000", 0.05, 0.02}, 7, 800), 0.15) << solver;
+  }
+}
+
+// Nothing holds it, and nothing sets it moving.
+TEST(Morris2000, LeavesADropWhereItIs) {
+  for (const char* solver : {"wcsph", "dfsph"}) {
+    if (!compiled(solver)) continue;
+    Simulation sim = drop_of({2, solver, "morris2000", 0.05, 0.02}, 8, 2e-4);
+    for (int n = 0; n < 500; ++n) sim.step();
+    const auto momentum = sim.statistics().momentum;
+    const double mass = rho0 * pi * std::pow(8 * spacing, 2),
+                 capillary = std::sqrt(0.05 / (rho0 * 8 * spacing));
+    for (std::size_t k = 0; k < 2; ++k)
+      EXPECT_NEAR(0, momentum[k] / (mass * capillary), 1e-4) << solver;
+  }
+}
+
+// Water between two walls, as high as they are apart: its surface is flat and stays so, because
+// the angle of contact is 90°.
+TEST(Morris2000, MeetsWallsAtARightAngle) {
+  for (const char* method : {"akinci2012", "ghost"}) {
+    if (!compiled("dfsph")) continue;
+    Simulation sim = simulation_of(fmt::format(
+        "[domain]\nmax = [0.016, 0.03]\n[walls]\nmethod = \"{}\"\n[particles]\nspacing = 0.001\n"
+        "support_radius = 0.003\n[fluid]\nmin = [0, 0]\nmax = [0.016, 0.016]\nviscosity = 0.02\n"
+        "surface_tension = 0.05\n[solver]\nname = \"dfsph\"\nsurface_tension_method = "
+        "\"morris2000\"\n"
+        "[time]\nend = 1\nstep = 2e-4\n",
+        method));
+    for (int n = 0; n < 1500; ++n) sim.step();
+    const ParticleView f = sim.fluid();
+    double edge = 0, middle = 0;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      const double x = double(f.x[2 * i]), y = double(f.x[2 * i + 1]);
+      double& top = std::abs(x - 0.008) < 0.003 ? middle : edge;
+      if (std::abs(x - 0.008) < 0.003 || std::abs(x - 0.008) > 0.005) top = std::max(top, y);
+    }
+    EXPECT_NEAR(middle, edge, 1.0 * spacing) << method;
+    EXPECT_NEAR(middle, 0.0155, 1.0 * spacing) << method;
+  }
 }
 
 // Capillary waves no longer than the support have to be told in time.

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "boundary/wall_sets.h"
+#include "pairs/morris2000.h"
+#include "solvers/backend.h"
+#include "solvers/non_pressure_forces.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+/// Continuum surface force [Brackbill, Kothe, Zemach 1992; Morris 2000]: within a support of its
+/// surface a liquid is pushed inwards by
+///
+///   f_i = 2 sigma kappa_i n_i,  n_i = sum_j V grad W_ij                    [N/m^D; eq. 10]
+///
+/// twice, since only the half inside the surface has particles to push. The curvature kappa is that
+/// of normals smoothed twice, and is taken from a particle's depth, `depth` in the mean over n, to
+/// the surface. Beside a wall normals lie along it: the angle of contact is 90°.
+template <int D, class B, template <int> class Kernel> struct Morris2000 {
+  using Fluid = FluidParticles<D>;
+  Kernel<D> W;
+  Real m, rho0, support, spacing;
+  Real depth;           ///< mean of |x| in W: how deep n is in the mean [m]
+  bool alone;           ///< there are no walls to take up momentum
+  Field<Vec<D>> n;      ///< scratch: the colour's gradient [1/m]
+  Field<Vec<D>> once;   ///< scratch: smoothed once; at last the force [m/s^2]
+  Field<Vec<D>> twice;  ///< scratch: smoothed twice
+
+  void fields(FieldMaker<D>& maker) {
+    maker.make("surface_normal", Keep::scratch, n);
+    maker.make("surface_normal_once", Keep::scratch, once);
+    maker.make("surface_normal_twice", Keep::scratch, twice);
+  }
+  Real V() const { return m / rho0; }
+
+  // Public for nvcc, which takes no lambdas from private functions.
+  void find_normals(B& backend, const Fluid& fluid, const Walls<D>& w) const {
+    const auto f = fluid;
+    const auto n = this->n;
+    backend.sum_pairs("surface normal", f, over(f, Morris2000Normal{W, V()}),
+                      over(w.akinci2012, Morris2000WallNormal{W, V(), rho0, w.akinci2012.psi}),
+                      over(w.adami2012, Morris2000WallNormal{W, V(), rho0, Field<Real>{}}),
+                      [=] FRESHET_LAMBDA(int i, const Morris2000Normals<D, Real>& sum) {
+                        const Real wall2 = norm2(sum.wall);
+                        n[i] = wall2 > 0 ? sum.fluid - dot(sum.fluid, sum.wall) / wall2 * sum.wall
+                                         : sum.fluid;
+                      });
+  }
+  void smooth(B& backend, const Fluid& fluid, Field<Vec<D>> from, Field<Vec<D>> to) const {
+    const auto f = fluid;
+    backend.share("surface normal", f, from);
+    backend.sum_pairs("surface normal", f, over(f, Morris2000Smoothed{W, V(), from}),
+                      [=] FRESHET_LAMBDA(int i, Vec<D> sum) { to[i] = sum; });
+  }
+  /// push += what acts: 2 sigma kappa n/rho.
+  void push(B& backend, const Fluid& fluid, const Walls<D>& w, const PerLiquid& sigma,
+            const PerLiquid& lightness, Field<Vec<D>> push) const {
+    const auto f = fluid;
+    const auto acts = once;
+    find_normals(backend, fluid, w);
+    smooth(backend, fluid, n, once);
+    smooth(backend, fluid, once, twice);
+    find_force(backend, fluid, sigma);
+    if (alone) balance(backend, fluid);
+    backend.for_each("surface tension", f,
+                     [=] FRESHET_LAMBDA(int i) { push[i] += lightness[i] * acts[i]; });
+  }
+  /// once = 2 sigma kappa n/rho0, by the normals smoothed twice
+  void find_force(B& backend, const Fluid& fluid, const PerLiquid& sigma) const {
+    const auto f = fluid;
+    const auto n = this->n;
+    const auto acts = once;
+    const auto smoothed = twice;
+    const Real least = Real(0.2f) / support, depth = this->depth, rho0 = this->rho0;
+    const Real most = Real(D - 1) / spacing;  // of a drop with the spacing for a radius
+    backend.share("surface normal", f, smoothed);
+    backend.sum_pairs("surface tension", f, over(f, Morris2000Curvature{W, V(), least, smoothed}),
+                      [=] FRESHET_LAMBDA(int i, const Morris2000Turn<D, Real>& sum) {
+                        const bool seen = norm2(smoothed[i]) > least * least && sum.spread > 0;
+                        const Real there = seen ? -Real(D - 1) * sum.turn / sum.spread : Real(0);
+                        const Real within = max(-most, min(there, most));
+                        const Real kappa = within / max(1 + within * depth / (D - 1), Real(0.5f));
+                        acts[i] = 2 * sigma[i] * kappa / rho0 * n[i];
+                      });
+  }
+  /// The sum over a closed surface is zero; what the particles make it is taken from all of it.
+  void balance(B& backend, const Fluid& fluid) const {
+    const auto f = fluid;
+    const auto n = this->n;
+    const auto acts = once;
+    const double surface =
+        backend.sum("surface tension", f, [=] FRESHET_LAMBDA(int i) { return double(norm(n[i])); });
+    if (surface == 0) return;
+    Vec<D> excess;
+    for (int d = 0; d < D; ++d)
+      component(excess, d) = Real(backend.sum("surface tension", f, [=] FRESHET_LAMBDA(int i) {
+        Vec<D> a = acts[i];
+        return double(component(a, d));
+      }) / surface);
+    backend.for_each("surface tension", f,
+                     [=] FRESHET_LAMBDA(int i) { acts[i] = acts[i] - norm(n[i]) * excess; });
+  }
+};
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet
