@@ -5,6 +5,18 @@
 #include "command.h"
 
 namespace freshet::cli {
+namespace {
+
+/// A build without some library lists the scenes that want it as well.
+std::string title_of(const std::string& name, const std::filesystem::path& file) {
+  try {
+    return load_scene(file).title;
+  } catch (const std::exception&) {
+    return fmt::format("(not with this build; `freshet check {}` tells why)", name);
+  }
+}
+
+}  // namespace
 
 void add_check(CLI::App& app, int& code) {
   const auto a = std::make_shared<SceneArguments>();
@@ -31,7 +43,7 @@ void add_scenes(CLI::App& app, int& code) {
   scenes->callback([names_only, &code] {
     for (const auto& [name, file] : scenes_that_come_along()) {
       if (*names_only) fmt::print("{}\n", name);
-      else fmt::print("{:<20} {}\n", name, load_scene(file).title);
+      else fmt::print("{:<20} {}\n", name, title_of(name, file));
     }
     code = done;
   });

@@ -13,6 +13,9 @@
 #endif
 
 namespace freshet {
+
+#ifdef FRESHET_MUPARSER
+
 namespace {
 
 std::string variable_of(const std::string& column) {
@@ -23,8 +26,6 @@ std::string variable_of(const std::string& column) {
 }
 
 }  // namespace
-
-#ifdef FRESHET_MUPARSER
 
 std::vector<double> evaluate(const std::string& formula, const Table& table,
                              const std::string& place) {
