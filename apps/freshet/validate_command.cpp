@@ -19,7 +19,7 @@ struct ValidateArguments {
   std::optional<double> resolution;
   std::string report, output = "runs/validation";
   int jobs = 1;
-  bool all = false, short_form = false, json = false;
+  bool all = false, short_form = false, resume = false, json = false;
 };
 
 std::vector<ValidationCase> cases_that_come_along() {
@@ -57,18 +57,26 @@ void list() {
                c.short_form ? fmt::format(" (short: {})", c.short_form->cost) : "");
 }
 
-/// A line for each run, and one for each measure that missed.
+std::string name_of(const ValidationRun& r) {
+  return fmt::format("{} {} {:g} {}", r.case_name, r.solver, r.resolution, r.unit);
+}
+
+/// A line for each run, and one for each measure.
 void tell(const ValidationRun& r, std::size_t done, std::size_t all) {
-  const char* word = r.as_expected()   ? r.passed() ? "passed" : "fails, as expected"
-                     : r.passed()      ? "passes, though it was expected to fail"
-                     : r.error.empty() ? "MISSED"
-                                       : "FAILED";
-  fmt::print(stderr, "[{}/{}] {} {} {:g} m: {} ({} particles, {:.1f} s)\n", done, all, r.case_name,
-             r.solver, r.spacing, word, r.particles, r.seconds);
+  const char* word = r.as_expected()    ? r.passed() ? "passed" : "misses, as expected"
+                     : !r.error.empty() ? "FAILED"
+                     : r.passed()       ? "passes, though it was expected to fail"
+                                        : "MISSED";
+  fmt::print(stderr, "[{}/{}] {}: {} ({} particles, {:.1f} s)\n", done, all, name_of(r), word,
+             r.particles, r.seconds);
   if (!r.error.empty()) fmt::print(stderr, "    {}\n", r.error);
   for (const ValidationResult& v : r.results)
-    fmt::print(stderr, "    {:<28} {:.4g}{}\n", v.name, v.value,
-               v.bound ? fmt::format(" (bound {:g}){}", *v.bound, v.passed ? "" : " missed") : "");
+    fmt::print(
+        stderr, "    {:<36} {:.4g}{}{}\n", v.name, v.value,
+        v.bound ? fmt::format(" ({} {:g})", v.at_least ? "at least" : "bound", *v.bound) : "",
+        v.as_expected() ? v.passed ? "" : " missed, as expected"
+        : v.passed      ? " met, though it was expected to be missed"
+                        : " missed");
 }
 
 void write(const fs::path& file, const std::string& text) {
@@ -82,10 +90,14 @@ int validate_with(const ValidateArguments& a) {
   ValidateOptions options;
   options.cases = chosen(a);
   options.solvers = a.solvers;
-  options.spacing = a.resolution;
+  options.resolution = a.resolution;
+  options.resume = a.resume;
   options.short_form = a.short_form;
   options.jobs = a.jobs;
   options.output = a.output;
+  options.before_run = [](const ValidationRun& r) {
+    fmt::print(stderr, "running {} ...\n", name_of(r));
+  };
   options.after_run = tell;
   const auto runs = validate(options);
   if (runs.empty())
@@ -115,9 +127,12 @@ void add_validate(CLI::App& app, int& code) {
   command->add_option("CASE", a->cases, "cases to run (none: they are listed), or folders of them");
   command->add_flag("--all", a->all, "all cases");
   command->add_option("--solver", a->solvers, "these solvers only")->take_all();
-  command->add_option("--resolution", a->resolution, "another particles.spacing [m]")
+  command
+      ->add_option("--resolution", a->resolution, "another particles.spacing [m], or time.step [s]")
       ->check(CLI::PositiveNumber);
   command->add_flag("--short", a->short_form, "coarser, with fewer solvers: minutes for all");
+  command->add_flag("--resume", a->resume,
+                    "keep what --output holds of the same scenes, and go on with what was stopped");
   command
       ->add_option("--jobs", a->jobs, "runs at a time, a thread each (default: one, all threads)")
       ->check(CLI::Range(1, 1024));
@@ -128,7 +143,8 @@ void add_validate(CLI::App& app, int& code) {
   command->footer(
       "The exit code is 1 where a stated bound is missed.\nExamples:\n  freshet validate\n"
       "  freshet validate dam_break_front --solver dfsph\n"
-      "  freshet validate --all --short --jobs 2 --report validation_report");
+      "  freshet validate --all --short --jobs 2 --report validation_report\n"
+      "  freshet validate --all --resume --report validation_report");
   command->callback([a, &code] {
     if (a->cases.empty() && !a->all) list();
     else code = validate_with(*a);

@@ -11,7 +11,7 @@ inline namespace FRESHET_ISA {
 /// [sec. 8, with the factor of a divergence-free flow in D dimensions; Weiler, Koschier, Brand,
 /// Bender 2018, eq. 5]: mu lap v/rho. Conserves both momenta.
 ///
-///   m [kg], mu [Pa s], eps_h2 0.01 h^2 [m^2];  reads rho, and v: any field of velocities [m/s]
+///   m [kg], mu [Pa s], eps_h2 1e-4 h^2 [m^2];  reads rho, and v: any field of velocities [m/s]
 template <int D, template <int> class Kernel> struct Monaghan2005Viscosity {
   Kernel<D> W;
   Real m, eps_h2;

@@ -10,7 +10,7 @@ inline namespace FRESHET_ISA {
 ///
 /// mu lap v/rho, whatever the divergence. Conserves momentum, not its moment.
 ///
-///   m [kg], mu [Pa s], eps_h2 0.01 h^2 [m^2];  reads rho, v
+///   m [kg], mu [Pa s], eps_h2 1e-4 h^2 [m^2];  reads rho, v
 template <int D, template <int> class Kernel> struct Morris1997Viscosity {
   Kernel<D> W;
   Real m, eps_h2;

@@ -103,6 +103,8 @@ ValidationMeasure measure_in(const toml::table& table, const fs::path& file) {
   m.x = in.text("x", "time");
   m.y = in.needed("y");
   m.when = in.text("when");
+  m.since = in.text("since");
+  m.since_when = in.text("since_when");
   m.from = in.number("from");
   m.to = in.number("to");
   m.statistic = in.text("statistic");
@@ -115,11 +117,16 @@ ValidationMeasure measure_in(const toml::table& table, const fs::path& file) {
   m.align = in.number("align");
   m.bound = in.number("bound");
   m.short_bound = in.number("short_bound");
+  m.order = in.number("order");
   m.reason = in.text("reason");
   in.finish();
-  if (m.bound && m.reason.empty())
+  if ((m.bound || m.order) && m.reason.empty())
     in.fail(table,
             fmt::format("measure {} has a bound without a reason; say why it is so", m.name));
+  if (m.since.empty() != m.since_when.empty())
+    in.fail(table, fmt::format("measure {} has since or since_when alone; give the table and the "
+                               "formula that holds from then on",
+                               m.name));
   if (m.statistic.empty() && m.expected.empty() == m.reference.empty())
     in.fail(table, fmt::format("measure {} needs one of expected, reference and statistic: what is "
                                "the curve compared with?",
@@ -133,6 +140,27 @@ void check_solvers(CaseReader& in, const toml::table& table,
     if (std::find(std::begin(solver_words), std::end(solver_words), name) == std::end(solver_words))
       in.fail(table,
               fmt::format("{} is no solver; there are {}", name, fmt::join(solver_words, ", ")));
+}
+
+/// spacings, or time steps: what the runs of a case differ by.
+std::vector<double> resolutions_in(CaseReader& in) {
+  std::vector<double> all = in.numbers("spacings");
+  for (const double step : in.numbers("steps")) all.push_back(step);
+  return all;
+}
+
+ValidationMiss miss_in(const toml::table& table, const ValidationCase& c, const fs::path& file) {
+  CaseReader in(table, file);
+  ValidationMiss miss{in.texts("solvers"), in.texts("measures"), resolutions_in(in),
+                      in.needed("reason")};
+  check_solvers(in, table, miss.solvers);
+  for (const std::string& name : miss.measures)
+    if (std::none_of(c.measures.begin(), c.measures.end(), [&](const ValidationMeasure& m) {
+          return name == m.name || (m.order && name == order_of(m));
+        }))
+      in.fail(table, fmt::format("{} is no measure of this case; name one as it is", name));
+  in.finish();
+  return miss;
 }
 
 }  // namespace
@@ -159,13 +187,14 @@ ValidationCase read_validation_case(const fs::path& folder) {
   c.scene = folder / in.text("scene", "scene.toml");
   c.solvers = in.texts("solvers");
   check_solvers(in, root, c.solvers);
-  c.spacings = in.numbers("spacings");
-  if (c.solvers.empty() || c.spacings.empty())
-    in.fail(root, "solvers and spacings are lists of at least one; what is the case run with?");
-  std::sort(c.spacings.begin(), c.spacings.end(), std::greater<>());
-  if (const toml::table* expected = in.table("fails"))
-    for (const auto& [solver, why] : *expected)
-      c.expected_failures.emplace_back(std::string(solver), as_text(why));
+  c.resolutions = resolutions_in(in);
+  if (root.contains("steps")) c.varied = "time.step";
+  if (c.solvers.empty() || c.resolutions.empty() ||
+      (root.contains("steps") && root.contains("spacings")))
+    in.fail(root,
+            "solvers and spacings, or steps in their place, are lists of at least one; what is the "
+            "case run with?");
+  std::sort(c.resolutions.begin(), c.resolutions.end(), std::greater<>());
   if (const toml::table* set = in.table("set"))
     for (const auto& [solver, keys] : *set) {
       if (!keys.is_table()) in.fail(keys, "write [set.all] or [set.SOLVER], with keys below it");
@@ -176,13 +205,15 @@ ValidationCase read_validation_case(const fs::path& folder) {
     }
   if (const toml::table* shorter = in.table("short")) {
     CaseReader s(*shorter, file);
-    c.short_form = {s.texts("solvers"), s.numbers("spacings"), s.text("cost")};
+    c.short_form = {s.texts("solvers"), resolutions_in(s), s.text("cost")};
     check_solvers(s, *shorter, c.short_form->solvers);
     s.finish();
   }
   if (const toml::array* measures = in.tables("measure"))
     for (const toml::node& m : *measures) c.measures.push_back(measure_in(*m.as_table(), file));
   if (c.measures.empty()) in.fail(root, "no [[measure]]; what does the case look at?");
+  if (const toml::array* misses = in.tables("fails"))
+    for (const toml::node& m : *misses) c.misses.push_back(miss_in(*m.as_table(), c, file));
   in.finish();
   return c;
 }

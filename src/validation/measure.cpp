@@ -20,6 +20,10 @@ constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 [[noreturn]] void refuse(const std::string& place, const std::string& why) {
   throw Error(Error::Kind::scene, place, why);
 }
+/// The run has left nothing to measure.
+[[noreturn]] void miss(const std::string& place, const std::string& why) {
+  throw Error(Error::Kind::run, place, why);
+}
 
 const std::vector<double>& times_of(const Table& table, const std::string& place) {
   const Column* time = table.find("time");
@@ -38,6 +42,18 @@ void put_beside(Table& table, const Table& other, const std::string& place) {
     for (const double t : times) added.numbers.push_back(at(curve, t));
     table.columns.push_back(std::move(added));
   }
+}
+
+/// Counts a table's time from where a formula first holds in another.
+void count_from(Table& table, const Table& other, const std::string& when,
+                const std::string& place) {
+  const auto holds = evaluate(when, other, place);
+  const auto first = std::find_if(holds.begin(), holds.end(), [](double h) { return h != 0; });
+  if (first == holds.end()) miss(place, fmt::format("{} never holds; is the run too short?", when));
+  const double start = times_of(other, place)[std::size_t(first - holds.begin())];
+  for (Column& c : table.columns)
+    if (c.name == "time")
+      for (double& t : c.numbers) t -= start;
 }
 
 /// What a table tells by two formulas: the rows that count.
@@ -61,7 +77,7 @@ void align(Curve& curve, const Curve& other, double value, const std::string& pl
     for (std::size_t k = 1; k < c.x.size(); ++k)
       if (c.y[k - 1] < value && c.y[k] >= value)
         return c.x[k - 1] + (value - c.y[k - 1]) / (c.y[k] - c.y[k - 1]) * (c.x[k] - c.x[k - 1]);
-    refuse(place, fmt::format("neither curve may miss y = {}, at which they are aligned", value));
+    miss(place, fmt::format("neither curve may miss y = {}, at which they are aligned", value));
   };
   const double shift = reaches(other) - reaches(curve);
   for (double& x : curve.x) x += shift;
@@ -78,13 +94,15 @@ void cut(Curve& curve, const ValidationMeasure& m) {
   curve = std::move(kept);
 }
 
+double mean(const std::vector<double>& y) {
+  return std::accumulate(y.begin(), y.end(), 0.0) / double(y.size());
+}
+
 struct Line {
   double slope, offset;
 };
 Line least_squares(const std::vector<double>& x, const std::vector<double>& y) {
-  const double n = double(x.size());
-  const double mx = std::accumulate(x.begin(), x.end(), 0.0) / n;
-  const double my = std::accumulate(y.begin(), y.end(), 0.0) / n;
+  const double mx = mean(x), my = mean(y);
   double xx = 0, xy = 0;
   for (std::size_t k = 0; k < x.size(); ++k) {
     xx += (x[k] - mx) * (x[k] - mx);
@@ -93,21 +111,57 @@ Line least_squares(const std::vector<double>& x, const std::vector<double>& y) {
   return {xy / xx, my - xy / xx * mx};
 }
 
-double period(const Curve& c) {
-  const double mean = std::accumulate(c.y.begin(), c.y.end(), 0.0) / double(c.y.size());
-  std::vector<double> ups;
+/// Where y goes up through its mean: the x there, and the number of the first point after it.
+struct Period {
+  double x;
+  std::size_t first;
+};
+std::vector<Period> periods(const Curve& c) {
+  const double middle = mean(c.y);
+  std::vector<Period> ups;
   for (std::size_t k = 1; k < c.y.size(); ++k)
-    if (c.y[k - 1] < mean && c.y[k] >= mean)
-      ups.push_back(c.x[k - 1] +
-                    (mean - c.y[k - 1]) / (c.y[k] - c.y[k - 1]) * (c.x[k] - c.x[k - 1]));
+    if (c.y[k - 1] < middle && c.y[k] >= middle)
+      ups.push_back(
+          {c.x[k - 1] + (middle - c.y[k - 1]) / (c.y[k] - c.y[k - 1]) * (c.x[k] - c.x[k - 1]), k});
+  return ups;
+}
+
+double period(const Curve& c) {
+  const auto ups = periods(c);
   if (ups.size() < 2) return no_number;
-  return (ups.back() - ups.front()) / double(ups.size() - 1);
+  return (ups.back().x - ups.front().x) / double(ups.size() - 1);
+}
+
+/// The greatest y of each whole period, at its x.
+Curve crests(const Curve& c) {
+  Curve tops;
+  const auto ups = periods(c);
+  for (std::size_t n = 1; n < ups.size(); ++n) {
+    const auto top = std::max_element(c.y.begin() + std::ptrdiff_t(ups[n - 1].first),
+                                      c.y.begin() + std::ptrdiff_t(ups[n].first));
+    tops.x.push_back(c.x[std::size_t(top - c.y.begin())]);
+    tops.y.push_back(*top);
+  }
+  return tops;
+}
+
+double height(const Curve& c) {
+  Curve upside_down = c;
+  for (double& y : upside_down.y) y = -y;
+  const Curve tops = crests(c), bottoms = crests(upside_down);
+  return tops.y.empty() || bottoms.y.empty() ? no_number : mean(tops.y) + mean(bottoms.y);
+}
+
+double rate(const Curve& c) {
+  std::vector<double> logs;
+  for (const double y : c.y) logs.push_back(std::log(y));
+  return least_squares(c.x, logs).slope;
 }
 
 std::string plot_of(const ValidationMeasure& m, const Curve& curve, const Curve& expected) {
   Chart chart;
   Panel panel{"", m.x, m.y, {}};
-  const bool points = !m.reference.empty();
+  const bool points = !m.reference.empty() && m.reference != "finest";
   panel.series.push_back({"simulation", curve.x, curve.y, Series::Style::solid, -1});
   if (!expected.x.empty())
     panel.series.push_back({points ? "reference" : "expected", expected.x, expected.y,
@@ -118,7 +172,9 @@ std::string plot_of(const ValidationMeasure& m, const Curve& curve, const Curve&
 
 /// What is expected at the places of the curve: a file's points, or a formula in x.
 Curve expected_of(const ValidationCase& c, const ValidationMeasure& m, const Curve& curve,
-                  const std::string& place) {
+                  const std::filesystem::path& finest, const std::string& place) {
+  if (m.reference == "finest")
+    return curve_of(read_table(finest / m.table), m.x, m.y, m.when, place);
   if (!m.reference.empty())
     return curve_of(read_table(c.folder / m.reference), m.rx, m.ry, "", place);
   if (m.expected.empty()) return {};
@@ -137,21 +193,20 @@ double at(const Curve& c, double x) {
 
 double statistic(const std::string& word, const Curve& c, const std::string& place) {
   if (c.y.empty())
-    refuse(place, "no row of the run's table is left to measure; is the run too short?");
-  if (word == "mean") return std::accumulate(c.y.begin(), c.y.end(), 0.0) / double(c.y.size());
+    miss(place, "no row of the run's table is left to measure; is the run too short?");
+  if (word == "mean") return mean(c.y);
   if (word == "max") return *std::max_element(c.y.begin(), c.y.end());
   if (word == "min") return *std::min_element(c.y.begin(), c.y.end());
   if (word == "last") return c.y.back();
   if (word == "slope") return least_squares(c.x, c.y).slope;
   if (word == "period") return period(c);
-  if (word == "rate") {
-    std::vector<double> logs;
-    for (const double y : c.y) logs.push_back(std::log(y));
-    return least_squares(c.x, logs).slope;
-  }
-  refuse(place, fmt::format("statistic = \"{}\" is none of mean, min, max, last, slope, rate and "
-                            "period; choose one",
-                            word));
+  if (word == "height") return height(c);
+  if (word == "rate") return rate(c);
+  if (word == "decay") return rate(crests(c));
+  refuse(place,
+         fmt::format("statistic = \"{}\" is none of mean, min, max, last, slope, rate, decay, "
+                     "period and height; choose one",
+                     word));
 }
 
 double difference(const std::string& norm, const Curve& curve, const Curve& expected,
@@ -167,7 +222,7 @@ double difference(const std::string& norm, const Curve& curve, const Curve& expe
     ++n;
   }
   if (n == 0)
-    refuse(place, "the run and what is expected have no x in common; is the run too short?");
+    miss(place, "the run and what is expected have no x in common; is the run too short?");
   if (norm == "max") return most;
   if (norm == "mean") return sum / n;
   if (norm == "rms") return std::sqrt(squares / n);
@@ -175,12 +230,16 @@ double difference(const std::string& norm, const Curve& curve, const Curve& expe
 }
 
 ValidationResult measure(const ValidationCase& c, const ValidationMeasure& m,
-                         const std::filesystem::path& run) {
+                         const std::filesystem::path& run, const std::filesystem::path& finest) {
   const std::string place = (c.folder / "case.toml").string() + ": measure " + m.name;
   Table table = read_table(run / m.table);
   if (!m.beside.empty()) put_beside(table, read_table(run / m.beside), place);
+  if (!m.since.empty()) count_from(table, read_table(run / m.since), m.since_when, place);
   Curve curve = curve_of(table, m.x, m.y, m.when, place);
-  ValidationResult r{m.name, 0, {}, m.bound, false, m.reason, ""};
+  ValidationResult r;
+  r.name = m.name;
+  r.bound = m.bound;
+  r.reason = m.reason;
   if (!m.statistic.empty()) {
     cut(curve, m);
     r.measured = statistic(m.statistic, curve, place);
@@ -191,11 +250,11 @@ ValidationResult measure(const ValidationCase& c, const ValidationMeasure& m,
     }
     r.plot = plot_of(m, curve, {});
   } else {
-    Curve expected = expected_of(c, m, curve, place);
+    Curve expected = expected_of(c, m, curve, finest, place);
     if (m.align) align(curve, expected, *m.align, place);
     cut(curve, m);
     // Of measured points each counts once, however finely the simulation was looked at.
-    const bool points = !m.reference.empty();
+    const bool points = !m.reference.empty() && m.reference != "finest";
     if (points) cut(expected, m);
     r.value = difference(m.norm, curve, expected, points ? expected : curve, m.scale, place);
     r.plot = plot_of(m, curve, expected);

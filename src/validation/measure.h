@@ -19,8 +19,11 @@ double at(const Curve& curve, double x);
 ///   mean, min, max, last   of y
 ///   slope                  of the line of least squares
 ///   rate                   of y = a exp(rate x), by the line of least squares through ln y
+///   decay                  the rate of the greatest y of each period, for what swings
 ///   period                 mean distance of the x at which y goes up through its mean
-/// Throws Error (kind scene), at `place`, for another word or where there is nothing to look at.
+///   height                 mean of what is between the greatest and the least y of each period
+/// Throws Error at `place`: of kind scene for another word, of kind run where there is nothing to
+/// look at.
 double statistic(const std::string& word, const Curve& curve, const std::string& place);
 
 /// Differences between a curve and what is expected, at the places of `points`, one of the two,
@@ -29,8 +32,9 @@ double statistic(const std::string& word, const Curve& curve, const std::string&
 double difference(const std::string& norm, const Curve& curve, const Curve& expected,
                   const Curve& points, std::optional<double> scale, const std::string& place);
 
-/// Measures what a run has left in its folder.
+/// Measures what a run has left in its folder; `finest` is that of the finest of its series.
 ValidationResult measure(const ValidationCase& c, const ValidationMeasure& m,
-                         const std::filesystem::path& run);
+                         const std::filesystem::path& run,
+                         const std::filesystem::path& finest = {});
 
 }  // namespace freshet

@@ -8,11 +8,14 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "core/text.h"
 #include "freshet/run.h"
+#include "scene/inputs.h"
 #include "validation/measure.h"
 
 namespace freshet {
@@ -20,11 +23,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A run that is to be made.
-struct Task {
+/// A solver of a case, with all resolutions.
+struct Series {
   const ValidationCase* the_case;
   std::string solver;
-  double spacing;
+  std::vector<double> resolutions;
 };
 
 /// "3 spacings" as a length [m]; anything else as it is.
@@ -39,31 +42,84 @@ std::string bytes_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-ValidationRun run_task(const Task& t, const ValidateOptions& options) {
+bool is_one_of(const std::vector<std::string>& all, const std::string& name) {
+  return all.empty() || std::find(all.begin(), all.end(), name) != all.end();
+}
+
+/// Why a run is expected to miss a measure; "": to fail as a whole.
+std::string expected_miss(const ValidationCase& c, const ValidationRun& r,
+                          const std::string& measure) {
+  for (const ValidationMiss& miss : c.misses) {
+    const bool whole = miss.measures.empty();
+    const bool near = std::any_of(miss.resolutions.begin(), miss.resolutions.end(), [&](double x) {
+      return std::abs(x - r.resolution) < 1e-6 * r.resolution;
+    });
+    if (is_one_of(miss.solvers, r.solver) && (miss.resolutions.empty() || near) &&
+        (whole ? measure.empty() : !measure.empty() && is_one_of(miss.measures, measure)))
+      return miss.reason;
+  }
+  return "";
+}
+
+/// Whether the folder holds a run of the very scene.
+bool holds(const fs::path& folder, const Scene& scene) {
+  const Inputs inputs = inputs_of(scene);
+  return bytes_of(folder / "scene.toml") == inputs.source &&
+         std::all_of(inputs.files.begin(), inputs.files.end(), [&](const auto& file) {
+           return bytes_of(folder / file.first) == file.second;
+         });
+}
+
+nlohmann::json json_of(const fs::path& file) {
+  return nlohmann::json::parse(bytes_of(file), nullptr, false);
+}
+
+/// Runs, unless the folder holds the run; goes on with one that was stopped.
+void simulate(const Scene& scene, const RunOptions& run, bool resume) {
+  if (resume && holds(run.output, scene)) {
+    if (fs::exists(run.output / "report.json")) return;
+    try {
+      freshet::resume({run.output, {}, run.command, run.execution, {}, {}});
+      return;
+    } catch (const Error&) {  // it left nothing to go on from
+    }
+  }
+  freshet::run(scene, run);
+}
+
+/// What a run tells of itself.
+void tell_costs(ValidationRun& r, const fs::path& folder) {
+  const auto report = json_of(folder / "report.json"), manifest = json_of(folder / "manifest.json");
+  r.particles = report["statistics"].value("particles", std::int64_t(0));
+  r.steps = report.value("steps", std::int64_t(0));
+  r.seconds = report.value("seconds", 0.0);
+  r.commit = manifest.value("commit", "");
+  r.picture = bytes_of(folder / "result.png");
+}
+
+fs::path folder_of(const ValidationRun& r, const ValidateOptions& options) {
+  return options.output / fmt::format("{}_{}_{:g}", r.case_name, r.solver, r.resolution);
+}
+
+ValidationRun run_of(const Series& s, double resolution, const ValidateOptions& options) {
+  const ValidationCase& c = *s.the_case;
   ValidationRun r;
-  const ValidationCase& c = *t.the_case;
   r.case_name = c.name;
-  r.solver = t.solver;
-  r.spacing = t.spacing;
-  for (const auto& [solver, why] : c.expected_failures)
-    if (solver == t.solver) r.expected_failure = why;
+  r.solver = s.solver;
+  r.resolution = resolution;
+  r.unit = c.unit();
+  r.expected_failure = expected_miss(c, r, "");
+  if (options.before_run) options.before_run(r);
   try {
-    const Scene scene = load_scene(c.scene, overrides_of(c, t.solver, t.spacing));
+    const Scene scene = load_scene(c.scene, overrides_of(c, s.solver, resolution));
     RunOptions run;
-    run.output = options.output / fmt::format("{}_{}_{:g}", c.name, t.solver, t.spacing);
+    run.output = folder_of(r, options);
     run.overwrite = true;
     run.scene_name = c.name;
     run.command = {"freshet", "validate", c.name};
     run.execution.threads = options.jobs > 1 ? 1 : 0;
-    const Report report = freshet::run(scene, run);
-    r.particles = report.statistics.particles;
-    r.steps = report.steps;
-    r.seconds = report.seconds;
-    r.picture = bytes_of(run.output / "result.png");
-    for (ValidationMeasure m : c.measures) {
-      if (options.short_form && m.short_bound) m.bound = m.short_bound;
-      r.results.push_back(measure(c, m, run.output));
-    }
+    simulate(scene, run, options.resume);
+    tell_costs(r, run.output);
   } catch (const Error& e) {
     if (e.kind() == Error::Kind::scene) throw;
     r.error = e.diagnostics().front().text();
@@ -71,16 +127,90 @@ ValidationRun run_task(const Task& t, const ValidateOptions& options) {
   return r;
 }
 
+/// A run that has left nothing to measure misses the bound, if there is one.
+ValidationResult measure_or_miss(const ValidationCase& c, const ValidationMeasure& m,
+                                 const fs::path& folder, const fs::path& finest) {
+  try {
+    return measure(c, m, folder, finest);
+  } catch (const Error& e) {
+    if (e.kind() == Error::Kind::scene) throw;
+    ValidationResult r;
+    r.name = m.name;
+    r.value = std::numeric_limits<double>::quiet_NaN();
+    r.bound = m.bound;
+    r.passed = !m.bound;
+    r.reason = e.diagnostics().front().message;
+    return r;
+  }
+}
+
+void measure_run(const ValidationCase& c, ValidationRun& r, const ValidateOptions& options,
+                 const fs::path& finest) {
+  const fs::path folder = folder_of(r, options);
+  for (ValidationMeasure m : c.measures) {
+    if (m.reference == "finest" && folder == finest) continue;
+    const bool guards = options.short_form && m.short_bound;
+    if (guards) m.bound = m.short_bound;
+    r.results.push_back(measure_or_miss(c, m, folder, finest));
+    if (m.bound && !guards) r.results.back().expected_miss = expected_miss(c, r, m.name);
+  }
+}
+
+const ValidationResult* find(const ValidationRun& r, const std::string& name) {
+  const auto found = std::find_if(r.results.begin(), r.results.end(),
+                                  [&](const ValidationResult& v) { return v.name == name; });
+  return found == r.results.end() ? nullptr : &*found;
+}
+
+/// The orders that are asked for, between the two coarsest runs.
+void add_orders(const ValidationCase& c, const ValidationRun& coarse, ValidationRun& fine) {
+  for (const ValidationMeasure& m : c.measures) {
+    const ValidationResult *a = find(coarse, m.name), *b = find(fine, m.name);
+    if (!m.order || !a || !b) continue;
+    ValidationResult order;
+    order.name = order_of(m);
+    order.value = convergence_order(a->value, coarse.resolution, b->value, fine.resolution);
+    order.bound = m.order;
+    order.at_least = true;
+    order.passed = order.value >= *m.order;
+    order.reason = m.reason;
+    order.expected_miss = expected_miss(c, fine, order.name);
+    fine.results.push_back(order);
+  }
+}
+
+std::vector<ValidationRun> run_series(const Series& s, const ValidateOptions& options) {
+  std::vector<ValidationRun> runs;
+  for (const double resolution : s.resolutions) runs.push_back(run_of(s, resolution, options));
+  const fs::path finest = folder_of(runs.back(), options);
+  for (ValidationRun& r : runs)
+    if (r.error.empty()) measure_run(*s.the_case, r, options, finest);
+  if (runs.size() > 1) add_orders(*s.the_case, runs[0], runs[1]);
+  return runs;
+}
+
+std::vector<Series> all_series(const ValidateOptions& options) {
+  std::vector<Series> all;
+  for (const ValidationCase& c : options.cases) {
+    const bool shorter = options.short_form && c.short_form;
+    const auto& solvers = shorter ? c.short_form->solvers : c.solvers;
+    auto resolutions = shorter ? c.short_form->resolutions : c.resolutions;
+    if (options.resolution) resolutions = {*options.resolution};
+    for (const std::string& solver : solvers)
+      if (is_one_of(options.solvers, solver)) all.push_back({&c, solver, resolutions});
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<Override> overrides_of(const ValidationCase& c, const std::string& solver,
-                                   double spacing) {
-  std::vector<Override> all{{"solver.name", solver},
-                            {"particles.spacing", fmt::format("{}", spacing)}};
+                                   double resolution) {
+  std::vector<Override> all{{"solver.name", solver}, {c.varied, fmt::format("{}", resolution)}};
   for (const std::string& group : {std::string(), solver})
     for (const auto& [name, keys] : c.set)
       for (const auto& [key, value] : keys)
-        if (name == group) all.emplace_back(key, in_metres(value, spacing));
+        if (name == group) all.emplace_back(key, in_metres(value, resolution));
   return all;
 }
 
@@ -88,35 +218,38 @@ bool ValidationRun::passed() const {
   return error.empty() && std::all_of(results.begin(), results.end(),
                                       [](const ValidationResult& r) { return r.passed; });
 }
+bool ValidationRun::as_expected() const {
+  if (!error.empty() || !expected_failure.empty()) return passed() == expected_failure.empty();
+  return std::all_of(results.begin(), results.end(),
+                     [](const ValidationResult& r) { return r.as_expected(); });
+}
+
+std::string order_of(const ValidationMeasure& m) { return m.name + ": order of convergence"; }
 
 std::vector<ValidationRun> validate(const ValidateOptions& options) {
-  std::vector<Task> tasks;
-  for (const ValidationCase& c : options.cases) {
-    const bool shorter = options.short_form && c.short_form;
-    const auto& solvers = shorter ? c.short_form->solvers : c.solvers;
-    const auto& spacings = shorter ? c.short_form->spacings : c.spacings;
-    for (const std::string& solver : solvers) {
-      if (!options.solvers.empty() && std::find(options.solvers.begin(), options.solvers.end(),
-                                                solver) == options.solvers.end())
-        continue;
-      if (options.spacing) tasks.push_back({&c, solver, *options.spacing});
-      else
-        for (const double spacing : spacings) tasks.push_back({&c, solver, spacing});
-    }
-  }
-  std::vector<ValidationRun> runs(tasks.size());
-  std::atomic<std::size_t> next = 0, done = 0;
-  std::mutex told;
+  const std::vector<Series> series = all_series(options);
+  std::vector<std::vector<ValidationRun>> runs(series.size());
+  std::size_t all = 0, done = 0;
+  for (const Series& s : series) all += s.resolutions.size();
+  ValidateOptions one_at_a_time = options;
+  std::mutex telling;
+  if (options.before_run)
+    one_at_a_time.before_run = [&](const ValidationRun& r) {
+      const std::lock_guard lock(telling);
+      options.before_run(r);
+    };
+  std::atomic<std::size_t> next = 0;
   std::exception_ptr failure;
   const auto work = [&] {
-    for (std::size_t k; (k = next++) < tasks.size();) try {
-        runs[k] = run_task(tasks[k], options);
-        const std::lock_guard lock(told);
-        if (options.after_run) options.after_run(runs[k], ++done, tasks.size());
+    for (std::size_t k; (k = next++) < series.size();) try {
+        runs[k] = run_series(series[k], one_at_a_time);
+        const std::lock_guard lock(telling);
+        for (const ValidationRun& r : runs[k])
+          if (++done; options.after_run) options.after_run(r, done, all);
       } catch (...) {
-        const std::lock_guard lock(told);
+        const std::lock_guard lock(telling);
         if (!failure) failure = std::current_exception();
-        next = tasks.size();
+        next = series.size();
       }
   };
   std::vector<std::jthread> others;
@@ -124,11 +257,14 @@ std::vector<ValidationRun> validate(const ValidateOptions& options) {
   work();
   others.clear();
   if (failure) std::rethrow_exception(failure);
-  return runs;
+  std::vector<ValidationRun> flat;
+  for (auto& of_series : runs)
+    std::move(of_series.begin(), of_series.end(), std::back_inserter(flat));
+  return flat;
 }
 
-double convergence_order(double error1, double spacing1, double error2, double spacing2) {
-  return std::log(error1 / error2) / std::log(spacing1 / spacing2);
+double convergence_order(double error1, double resolution1, double error2, double resolution2) {
+  return std::log(error1 / error2) / std::log(resolution1 / resolution2);
 }
 
 }  // namespace freshet

@@ -37,6 +37,10 @@ TEST(Statistic, KnowsLinesDecaysAndPeriods) {
   const Curve wave =
       sampled([](double x) { return 1 + std::sin(2 * std::numbers::pi * x / 0.7); }, 5);
   EXPECT_NEAR(0.7, statistic("period", wave, ""), 1e-3);
+  EXPECT_NEAR(2, statistic("height", wave, ""), 1e-3);
+  const Curve ringing =
+      sampled([](double x) { return std::exp(-0.4 * x) * std::pow(std::cos(9 * x), 2); }, 4, 20001);
+  EXPECT_NEAR(-0.4, statistic("decay", ringing, ""), 1e-3);
   EXPECT_THROW(statistic("median", line, ""), Error);
   EXPECT_THROW(statistic("mean", {}, ""), Error) << "nothing was measured";
 }
@@ -127,6 +131,22 @@ TEST_F(AMeasure, TakesColumnsOfATableBeside) {
   EXPECT_THROW(of(m), Error) << "nobody knows when that was";
 }
 
+TEST_F(AMeasure, CountsTimeFromWhatAnotherTableTells) {
+  write("wall.csv", "time [s],pressure [Pa]\n1,0\n2,0\n3,50\n4,60\n");
+  write("gauge.csv", "time [s],distance [m]\n0.5,0\n1.5,0.1\n2.5,0.2\n");
+  ValidationMeasure m;
+  m.name = "from the gauge to the wall";
+  m.table = "wall.csv";
+  m.x = m.y = "time";
+  m.when = "pressure > 10";
+  m.since = "gauge.csv";
+  m.since_when = "distance > 0.05";
+  m.statistic = "min";
+  EXPECT_NEAR(1.5, of(m).value, 1e-9);
+  m.since_when = "distance > 1";
+  EXPECT_THROW(of(m), Error) << "it never came there";
+}
+
 std::string refusal(const std::string& text) {
   TemporaryFolder folder;
   std::ofstream(folder.path() / "case.toml") << text;
@@ -163,9 +183,9 @@ TEST(ValidationCaseFile, OfEveryCaseIsGood) {
   for (const ValidationCase& c : cases) {
     EXPECT_TRUE(c.short_form) << c.name;
     for (const std::string& solver : c.solvers)
-      EXPECT_NO_THROW(load_scene(c.scene, overrides_of(c, solver, c.spacings[0]))) << c.name;
+      EXPECT_NO_THROW(load_scene(c.scene, overrides_of(c, solver, c.resolutions[0]))) << c.name;
     EXPECT_TRUE(std::any_of(c.measures.begin(), c.measures.end(),
-                            [](const auto& m) { return m.bound.has_value(); }))
+                            [](const auto& m) { return m.bound || m.order; }))
         << c.name << " shows nothing";
   }
 }
@@ -175,24 +195,96 @@ TEST(ConvergenceOrder, IsTwoWhereAQuarterIsLeftOfTheError) {
 }
 
 TEST(ValidationReport, SaysWhatMissed) {
-  ValidationRun good{
-      "case", "dfsph", 0.1, 10, 5, 0.1, "", "", {{"m", 0.5, {}, 1.0, true, "why", ""}}, ""};
+  ValidationRun good;
+  good.case_name = "case";
+  good.solver = "dfsph";
+  good.resolution = 0.1;
+  good.results.emplace_back();
+  good.results[0].name = "m";
+  good.results[0].value = 0.5;
+  good.results[0].bound = 1;
+  good.results[0].passed = true;
   ValidationRun bad = good;
   bad.solver = "wcsph";
+  bad.results[0].value = 2;
   bad.results[0].passed = false;
   ValidationRun expected = bad;
-  expected.expected_failure = "fails: it cannot";
+  expected.results[0].expected_miss = "it cannot";
+  ValidationRun after_all = good;
+  after_all.results[0].expected_miss = "it cannot";
+  ValidationRun broken = bad;
+  broken.error = "it blew up";
   EXPECT_TRUE(good.as_expected());
   EXPECT_FALSE(bad.as_expected());
   EXPECT_TRUE(expected.as_expected());
+  EXPECT_FALSE(after_all.as_expected());
+  EXPECT_FALSE(broken.as_expected());
+  broken.expected_failure = "it blows up";
+  EXPECT_TRUE(broken.as_expected());
   ValidationCase c;
   c.name = "case";
   c.title = "a < b";
   const std::string html = validation_html({c}, {good, bad, expected});
   EXPECT_NE(std::string::npos, html.find("a &lt; b"));
   EXPECT_NE(std::string::npos, html.find("2 of 3 runs are as they should be"));
-  EXPECT_NE(std::string::npos, validation_markdown({c}, {bad}).find("| missed |"));
+  const std::string table = validation_markdown({c}, {good, bad});
+  EXPECT_NE(std::string::npos, table.find("| [case](#case) | 0/1* | 1/1 |")) << table;
+  EXPECT_NE(std::string::npos, table.find("| `wcsph` 0.1 m | 0 | 0 | **2** |")) << table;
+  EXPECT_NE(std::string::npos, validation_markdown({c}, {expected}).find("- Missed: it cannot."));
   EXPECT_NE(std::string::npos, validation_json({bad}).find("\"as_expected\": false"));
+}
+
+/// A wave of a known velocity, looked at after a step, with three spacings.
+class AProgramme : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
+    write_text(folder / "case/case.toml",
+               "title = \"t\"\nsource = \"s\"\nscene = \"" SOURCE_DIR
+               "/validation/interpolation/scene.toml\"\n"
+               "solvers = [\"wcsph\"]\nspacings = [0.05, 0.025, 0.0125]\n"
+               "[set.all]\n\"particles.support_radius\" = \"4 spacings\"\n"
+               "\"solver.sound_speed\" = 10\n"
+               "[[fails]]\nsolvers = [\"wcsph\"]\nmeasures = [\"too much\"]\nspacings = [0.05]\n"
+               "reason = \"a third\"\n" +
+                   measure("velocity", "expected = \"sin(2*pi*x)\"\norder = 1.8\n") +
+                   measure("finest", "reference = \"finest\"\n") +
+                   measure("too much", "expected = \"sin(2*pi*x)\"\nbound = 0.02\n"));
+    options.cases = {read_validation_case(folder / "case")};
+    options.output = folder / "runs";
+  }
+  static std::string measure(const std::string& name, const std::string& more) {
+    return "[[measure]]\nname = \"" + name +
+           "\"\ntable = \"probes/line.csv\"\nx = \"x\"\ny = \"velocity_y\"\n"
+           "when = \"time > 0\"\nscale = 1\nreason = \"r\"\n" +
+           more;
+  }
+  TemporaryFolder folder;
+  ValidateOptions options;
+};
+
+TEST_F(AProgramme, TellsOrdersAndWhatIsExpectedToMiss) {
+  const auto runs = validate(options);
+  ASSERT_EQ(3u, runs.size());
+  for (const ValidationRun& r : runs) EXPECT_TRUE(r.as_expected()) << r.resolution << r.error;
+  EXPECT_FALSE(runs[0].passed()) << "0.06 is more than 0.02";
+  ASSERT_EQ(4u, runs[1].results.size());
+  EXPECT_EQ("velocity: order of convergence", runs[1].results[3].name);
+  EXPECT_NEAR(2, runs[1].results[3].value, 0.1);
+  EXPECT_GT(runs[0].results[1].value, runs[1].results[1].value) << "nearer to the finest";
+  EXPECT_EQ(2u, runs[2].results.size()) << "the finest is not compared with itself";
+}
+
+TEST_F(AProgramme, KeepsTheRunsOfTheSameScene) {
+  const auto before = validate(options);
+  const fs::path told = folder / "runs/case_wcsph_0.05/report.json";
+  write_text(told, R"({"steps": 77, "statistics": {"particles": 3}})");
+  options.resume = true;
+  const auto after = validate(options);
+  EXPECT_EQ(77, after[0].steps) << "it was made again";
+  EXPECT_EQ(before[0].results[0].value, after[0].results[0].value);
+  options.cases[0].set[0].second[0].second = "3 spacings";
+  EXPECT_NE(77, validate(options)[0].steps) << "it is another scene";
 }
 
 }  // namespace
