@@ -33,6 +33,7 @@ template <int D> struct RigidBodies {
   struct Body {
     Twist motion{};            ///< what its samples move by [m/s, rad/s]
     Twist pull{};              ///< what gravity and the like change of it [m/s^2, rad/s^2]
+    Twist acceleration{};      ///< as it is prescribed, or by the force of the last time asked
     Twist impulse{};           ///< what the fluid gave it in this step [N s, N m s]
     Twist force{};             ///< what the fluid did when it was last asked [N, N m]
     Twist force_before{};      ///< and the time before
@@ -69,6 +70,21 @@ template <int D, class Twist> FRESHET_HD Vec<D> velocity_at(const Twist& t, Vec<
             Real(t[1] + t[5] * double(arm.x) - t[3] * double(arm.z)),
             Real(t[2] + t[3] * double(arm.y) - t[4] * double(arm.x))};
   else return {Real(t[0] - t[2] * double(arm.y)), Real(t[1] + t[2] * double(arm.x))};
+}
+/// The acceleration there: a + alpha x r + omega x (omega x r).
+template <int D, class Twist>
+FRESHET_HD Vec<D> acceleration_at(const Twist& acceleration, const Twist& motion, Vec<D> arm) {
+  const Twist &a = acceleration, &w = motion;
+  const Vec<D, double> r = each_double(arm);
+  if constexpr (D == 3) {
+    const Vec<3, double> alpha{a[3], a[4], a[5]}, omega{w[3], w[4], w[5]};
+    const auto at =
+        Vec<3, double>{a[0], a[1], a[2]} + cross(alpha, r) + cross(omega, cross(omega, r));
+    return {Real(at.x), Real(at.y), Real(at.z)};
+  } else {
+    return {Real(a[0] - a[2] * r.y - w[2] * w[2] * r.x),
+            Real(a[1] + a[2] * r.x - w[2] * w[2] * r.y)};
+  }
 }
 /// A force there, as force and torque.
 template <int D> FRESHET_HD typename RigidBodies<D>::Twist wrench_of(Vec<D> f, Vec<D> arm) {

@@ -30,10 +30,13 @@ template <int D> struct AkinciWall : WallParticles<D> {
 template <int D> struct AdamiWall : WallParticles<D> {
   Field<Real> p;        ///< scratch: pressure [Pa]; v, what it shows the fluid, is scratch as well
   Field<Vec<D>> slide;  ///< kept: velocity of the wall's surface along itself [m/s]
+  Field<Vec<D>> u, a;   ///< scratch: velocity and acceleration of a body there [m/s, m/s^2]
   template <class Visit> void fields(Visit visit) {
     WallParticles<D>::fields(visit);
     visit("p", Keep::scratch, p);
     visit("slide", Keep::kept, slide);
+    visit("u", Keep::scratch, u);
+    visit("a", Keep::scratch, a);
   }
 };
 template <int D> struct Walls {
@@ -44,6 +47,7 @@ template <int D> struct Walls {
   /// they are once more and without images, as targets of what the fluid does to them. The id is
   /// the number of the sample.
   AkinciWall<D> of_bodies;
+  AdamiWall<D> of_layered_bodies;    ///< the same where bodies are among those of adami2012
   RigidBodies<D>* bodies = nullptr;  ///< none: nothing moves
   Field<Real> rate;  ///< scratch, by particle of the fluid: the density's rate by moving samples
 };

@@ -10,7 +10,7 @@ inline namespace FRESHET_ISA {
 
 /// What a wall particle w learns of the fluid around it.
 template <int D, class R> struct Adami2012Sums {
-  R W{}, p{}, rho_x{};  ///< sum_f W, p_f W, rho_f x_wf · g W
+  R W{}, p{}, rho_x{};  ///< sum_f W, p_f W, rho_f x_wf · (g - a_w) W
   Vec<D, R> v{};        ///< sum_f v_f W
   FRESHET_HD Adami2012Sums& operator+=(const Adami2012Sums& o) {
     W += o.W;
@@ -21,35 +21,52 @@ template <int D, class R> struct Adami2012Sums {
   }
 };
 
-/// p_w = (sum_f p_f W_wf + g · sum_f rho_f x_wf W_wf)/sum_f W_wf  [eq. 27, walls at rest]
-/// v_w = 2 slide_w - sum_f v_f W_wf/sum_f W_wf                    [eqs. 22 and 23: no slip]
+/// p_w = (sum_f p_f W_wf + (g - a_w) · sum_f rho_f x_wf W_wf)/sum_f W_wf  [eq. 27]
+/// v_w = 2 u_w - sum_f v_f W_wf/sum_f W_wf                 [eqs. 22 and 23: no slip]
+///
+///   u_w, a_w   velocity and acceleration of the wall there [m/s, m/s^2]
 template <int D, template <int> class Kernel> struct Adami2012Extrapolation {
   Kernel<D> W;
   Vec<D> gravity;
   Liquids liquids;
   FluidParticles<D> fluid;
-  template <class R> using At = Nothing<R>;
+  Field<Vec<D>> a_wall;
+  template <class R> struct At { Vec<D, R> g; };
   template <class R> struct Neighbor {
     R p, rho;
     Vec<D, R> v;
   };
-  FRESHET_HD At<Real> at(int) const { return {}; }
+  FRESHET_HD At<Real> at(int w) const { return {gravity - a_wall[w]}; }
   FRESHET_HD Neighbor<Real> neighbor(int f) const {
     return {fluid.p[f], fluid.rho[f] / liquids.lightness(fluid, f), fluid.v[f]};
   }
   template <class R>
-  FRESHET_HD Adami2012Sums<D, R> operator()(const Pair<D, R>& wf, At<R>,
+  FRESHET_HD Adami2012Sums<D, R> operator()(const Pair<D, R>& wf, const At<R>& w,
                                             const Neighbor<R>& f) const {
     const R W_wf = W(wf);
-    Vec<D, R> g;
-    g.x = gravity.x;
-    g.y = gravity.y;
-    if constexpr (D == 3) g.z = gravity.z;
-    return {W_wf, f.p * W_wf, f.rho * dot(wf.x, g) * W_wf, W_wf * f.v};
+    return {W_wf, f.p * W_wf, f.rho * dot(wf.x, w.g) * W_wf, W_wf * f.v};
   }
 };
 template <int D, template <int> class K, class... A>
 Adami2012Extrapolation(K<D>, A...) -> Adami2012Extrapolation<D, K>;
+
+/// What drho_i/dt = rho_i sum_w V v_i · grad W_iw over walls at rest is less by where they move,
+/// over rho_i: sum_w V u_w · grad W_iw. It is apart, so that walls at rest cost nothing.
+template <int D, template <int> class Kernel> struct Adami2012MovingRate {
+  Kernel<D> W;
+  Real V;
+  Field<Vec<D>> u_wall;
+  template <class R> using At = Nothing<R>;
+  template <class R> struct Neighbor { Vec<D, R> V_u; };
+  FRESHET_HD At<Real> at(int) const { return {}; }
+  FRESHET_HD Neighbor<Real> neighbor(int w) const { return {V * u_wall[w]}; }
+  template <class R>
+  FRESHET_HD R operator()(const Pair<D, R>& iw, At<R>, const Neighbor<R>& w) const {
+    return dot(w.V_u, W.gradient(iw));
+  }
+};
+template <int D, template <int> class K, class... A>
+Adami2012MovingRate(K<D>, A...) -> Adami2012MovingRate<D, K>;
 
 /// dv_i/dt += -sum_w m (p_i/rho_i^2 + p_w/rho0^2 + friction_w Pi_iw) grad W_iw
 ///

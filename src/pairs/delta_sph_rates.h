@@ -74,8 +74,9 @@ template <int D, template <int> class Kernel> struct DeltaSphRates {
 template <int D, template <int> class K, class... A>
 DeltaSphRates(K<D>, A...) -> DeltaSphRates<D, K>;
 
-/// The same sums over wall particles w at rest, without diffusion. Their volume is V_w; their
-/// pressure and velocity are what they extrapolated [Adami 2012]. Walls push and never pull.
+/// The same sums over wall particles w, without diffusion, and with the density's rate as if they
+/// were at rest. Their volume is V_w; their pressure and velocity are what they extrapolated [Adami
+/// 2012]. Walls push and never pull.
 template <int D, template <int> class Kernel> struct DeltaSphAdamiRates {
   Kernel<D> W;
   DeltaSphNumbers c;

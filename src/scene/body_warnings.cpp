@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "scene/body_motion.h"
 #include "scene/body_shape.h"
 #include "scene/findings.h"
+#include "scene/loaded_mesh.h"
+#include "scene/sample_walls.h"
 
 namespace freshet {
 namespace {
@@ -34,6 +37,24 @@ double fastest(const Scene& s, const Scene::Body& b) {
   return most;
 }
 
+struct Length {
+  const char* key;
+  double value;
+};
+/// The shortest way through it, and the key that makes it longer; of a mesh through the box around.
+Length thickness(const Scene::Body& b) {
+  if (b.shape == Shape::sphere) return {"radius", 2 * b.radius};
+  if (b.shape == Shape::cylinder && b.length < 2 * b.radius) return {"length", b.length};
+  if (b.shape == Shape::cylinder) return {"radius", 2 * b.radius};
+  if (b.shape == Shape::mesh) {
+    const auto sides = b.loaded->distance.high() - b.loaded->distance.low();
+    return {"scale", std::min({sides.x, sides.y, sides.z})};
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t d = 0; d < b.min.size(); ++d) least = std::min(least, b.max[d] - b.min[d]);
+  return {"max", least};
+}
+
 }  // namespace
 
 std::vector<Diagnostic> body_warnings(const Scene& s, const Derived& d) {
@@ -41,11 +62,21 @@ std::vector<Diagnostic> body_warnings(const Scene& s, const Derived& d) {
   const auto warn = [&](const std::string& key, std::string message) {
     list.push_back({Diagnostic::Severity::warning, place_of(s, key), std::move(message)});
   };
+  const bool layered = body_method(s) == WallMethod::adami2012;
   bool free = false;
   for (std::size_t k = 0; k < s.body.size(); ++k) {
     const Scene::Body& b = s.body[k];
     const std::string at = fmt::format("body[{}].", k), name = s.body_name(k);
     free |= b.motion == BodyMotion::free;
+    const double reached = wall_layers(s, WallMethod::adami2012) * d.spacing;
+    const Length thick = thickness(b);
+    if (layered && thick.value < reached * (1 - 1e-6))
+      warn(at + thick.key,
+           fmt::format(
+               "{} is {:.4g} m thick, and bodies of \"adami2012\" have samples to a depth of "
+               "{:.4g} m, as far as the support reaches: the fluid before it sees what is "
+               "behind it; make it thicker or the spacing smaller",
+               name, thick.value, reached));
     if (b.motion == BodyMotion::free) {
       const double density = b.density.value_or(b.mass.value_or(0) / body_shape(b).volume);
       if (density < lightest * d.rest_density)

@@ -20,20 +20,21 @@ constexpr std::size_t most_bodies = 1000;
 
 std::string at_body(std::size_t k) { return fmt::format("body[{}].", k); }
 
-/// Samples of one layer, whose velocity the solver knows, are what bodies are made of.
+/// Samples, whose velocity the solver knows, are what bodies are made of.
 bool check_solver(const Scene& s, Findings& out) {
   if (s.solver.name == SolverName::mueller2003) {
     out.error("body[0]",
-              "bodies act by the samples of akinci2012, which mueller2003 does not have; choose "
+              "bodies act by samples, which mueller2003 does not have; choose "
               "another solver.name");
     return false;
   }
   const auto refuse = [&](WallMethod m, const std::string& key) {
-    if (m != WallMethod::adami2012 && m != WallMethod::ghost) return true;
-    out.error(key, fmt::format("there are bodies, and beside them walls are \"akinci2012\", "
-                               "\"monaghan2009\", \"reflection\" or \"open\", not \"{}\"; choose "
-                               "one of these",
-                               method_words[int(m)]));
+    if (m != WallMethod::ghost) return true;
+    out.error(key,
+              fmt::format("there are bodies, and beside them walls are {}\"akinci2012\", "
+                          "\"monaghan2009\", \"reflection\" or \"open\", not \"ghost\"; choose "
+                          "one of these",
+                          s.solver.incompressible() ? "" : "\"adami2012\", "));
     return false;
   };
   const ViscosityMethod felt =

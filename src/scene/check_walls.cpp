@@ -193,7 +193,9 @@ void check_sides(const Scene& s, Findings& out) {
     if (own || !told) told |= !check_solver(s, m, key, key, true, out) && !own;
     shared |= !own;
   }
-  if (!shared)
+  if (!shared && !s.body.empty() && body_method(s) == WallMethod::adami2012)
+    check_solver(s, WallMethod::adami2012, "walls.method", "walls.method", false, out);
+  else if (!shared)
     out.unused("walls.method", "walls.method",
                "every side that is not periodic has its own; remove it");
   check_surface_keys(reflects, slips, "walls.", "walls", out);

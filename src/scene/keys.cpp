@@ -150,7 +150,8 @@ void walls_keys(KeyVisitor& v, Scene::Walls& w) {
             .text = "of the sides that are not given: `open` (nothing holds the fluid), "
                     "`reflection` (particles are turned back), `ghost` (mirror images), or "
                     "samples as in the papers Monaghan & Kajtar 2009, Akinci et al. 2012, Adami "
-                    "et al. 2012 (not with the pressure solvers)",
+                    "et al. 2012 (not with the pressure solvers; bodies are then made of such "
+                    "layers as well)",
             .fallback = "`reflection` for `mueller2003`, else `akinci2012`"});
   const auto side = [&](const char* name, std::optional<WallMethod>& method, const char* text) {
     v.choice(name, method, method_words, {.unit = "", .text = text, .fallback = "walls.method"});

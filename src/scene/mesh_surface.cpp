@@ -12,8 +12,9 @@ using Point = Vec<3, double>;
 
 constexpr double apart =
     0.7;  // spacings: sparser layers let particles through where they are impinged on
-constexpr int rounds = 40;      // of about one throw a disc
-constexpr double clear = 0.95;  // of the depth that a sample keeps from all of the surface
+constexpr double apart_in_layers = 0.8;  // spacings: as many as a lattice would have
+constexpr int rounds = 40;               // of about one throw a disc
+constexpr double clear = 0.95;           // of the depth that a sample keeps from all of the surface
 
 /// SplitMix64 [Steele, Lea and Flood 2014]: the same throws everywhere.
 class Throws {
@@ -40,18 +41,17 @@ class Throws {
 
 class Spreader {
  public:
-  Spreader(const MeshDistance& mesh, double spacing, double depth)
-      : mesh_(mesh),
-        radius_(apart * spacing),
-        depth_(std::abs(depth)),
-        side_(depth > 0 ? -1 : 1),
-        taken_(radius_) {}
+  /// No two points nearer than `radius`, whatever their depths.
+  Spreader(const MeshDistance& mesh, double radius)
+      : mesh_(mesh), radius_(radius), taken_(radius_) {}
 
-  std::vector<Point> points() {
+  void spread(double depth) {
+    depth_ = std::abs(depth);
+    side_ = depth > 0 ? -1 : 1;
     for (int round = 0; round < rounds; ++round)
       for (std::size_t k = 0; k < mesh_.mesh().triangles.size(); ++k) throw_on(int(k));
-    return std::move(all_);
   }
+  std::vector<Point> points() { return std::move(all_); }
 
  private:
   void throw_on(int triangle) {
@@ -76,7 +76,7 @@ class Spreader {
   }
 
   const MeshDistance& mesh_;
-  double radius_, depth_, side_;
+  double radius_, depth_ = 0, side_ = 1;
   Throws throws_;
   PointGrid<3> taken_;
   std::vector<Point> all_;
@@ -85,7 +85,15 @@ class Spreader {
 }  // namespace
 
 std::vector<Point> points_behind(const MeshDistance& mesh, double spacing, double depth) {
-  return Spreader(mesh, spacing, depth).points();
+  Spreader spreader(mesh, apart * spacing);
+  spreader.spread(depth);
+  return spreader.points();
+}
+
+std::vector<Point> layers_behind(const MeshDistance& mesh, double spacing, int layers) {
+  Spreader spreader(mesh, apart_in_layers * spacing);
+  for (int k = 0; k < layers; ++k) spreader.spread((k + 0.5) * spacing);
+  return spreader.points();
 }
 
 }  // namespace freshet

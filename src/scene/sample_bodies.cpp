@@ -11,9 +11,8 @@ namespace {
 
 /// As a wall of akinci2012: half a spacing beneath the surface, and as much deeper as lets a
 /// resting fluid have its rest density there.
-template <int D>
-std::vector<Vec<D, double>> body_points(const Scene& s, const Scene::Region& body, double deeper) {
-  const double spacing = s.particles.spacing;
+template <int D> std::vector<Vec<D, double>> layer_of(const Scene& s, const Scene::Region& body) {
+  const double spacing = s.particles.spacing, deeper = single_layer_distance(s) - spacing;
   if constexpr (D == 3)
     if (body.shape == Shape::mesh)
       return points_behind(body.loaded->distance, spacing, spacing / 2 + deeper);
@@ -23,13 +22,22 @@ std::vector<Vec<D, double>> body_points(const Scene& s, const Scene::Region& bod
   return points;
 }
 
+/// As a wall of adami2012.
+template <int D> std::vector<Vec<D, double>> layers_of(const Scene& s, const Scene::Region& body) {
+  const double spacing = s.particles.spacing;
+  const int layers = wall_layers(s, WallMethod::adami2012);
+  if constexpr (D == 3)
+    if (body.shape == Shape::mesh) return layers_behind(body.loaded->distance, spacing, layers);
+  return Surface<D>(solid_of<D>(body), spacing, layers).points({}, {}, {});
+}
+
 }  // namespace
 
 template <int D> void sample_bodies(const Scene& s, Sample& all) {
   if (s.body.empty()) return;
-  const double deeper = single_layer_distance(s) - s.particles.spacing;
+  const bool layered = body_method(s) == WallMethod::adami2012;
   for (std::size_t b = 0; b < s.body.size(); ++b)
-    for (Vec<D, double> x : body_points<D>(s, s.body[b], deeper)) {
+    for (Vec<D, double> x : layered ? layers_of<D>(s, s.body[b]) : layer_of<D>(s, s.body[b])) {
       for (int k = 0; k < D; ++k) all.bodies.x.push_back(component(x, k));
       all.bodies.body.push_back(std::int32_t(b));
     }
@@ -40,7 +48,8 @@ template void sample_bodies<3>(const Scene&, Sample&);
 
 double most_body_samples(const Scene& s) {
   double all = 0, images = 1;
-  for (const Scene::Body& body : s.body) all += most_samples(s, body, 1);
+  const int layers = wall_layers(s, body_method(s));
+  for (const Scene::Body& body : s.body) all += most_samples(s, body, layers);
   for (int k = 0; k < s.dimension(); ++k) images *= s.periodic(k) ? 2 : 1;
   return all * (1 + images);
 }

@@ -77,6 +77,10 @@ double density_tolerance(const Scene& s) {
   return s.solver.density_tolerance.value_or(s.solver.name == SolverName::dfsph ? 1e-4 : 1e-3);
 }
 
+WallMethod body_method(const Scene& s) {
+  return s.walls.method == WallMethod::adami2012 ? WallMethod::adami2012 : WallMethod::akinci2012;
+}
+
 std::vector<std::string> Scene::wall_names() const {
   static constexpr const char* sides[] = {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
   std::vector<std::string> names(sides, sides + 2 * dimension());

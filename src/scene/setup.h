@@ -34,6 +34,9 @@ double artificial_viscosity(const Scene& scene);
 /// density up to the wall: half a spacing of it is the fluid's.
 double single_layer_distance(const Scene& scene);
 
+/// What bodies are made of: adami2012 where walls.method is that, else akinci2012.
+WallMethod body_method(const Scene& scene);
+
 /// The particles that a wall is sampled with, D numbers each.
 struct WallSample {
   std::vector<Real> x;
@@ -59,7 +62,7 @@ struct Sample {
   /// Layers beyond the surface: one for akinci2012, at its distance, and one for monaghan2009, half
   /// a spacing off; for adami2012, from half a spacing on, as many as the support reaches.
   WallSample akinci2012, adami2012, monaghan2009;
-  BodySample bodies;  ///< one layer beneath the surface, as akinci2012
+  BodySample bodies;  ///< layers beneath the surface, as body_method has them
 };
 Sample sample(const Scene& scene);
 

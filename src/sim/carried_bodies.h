@@ -44,7 +44,8 @@ template <int D> class CarriedBodies {
         length_.push_back(in.scene.domain.max[std::size_t(k)] - low_.back());
       }
     walls.bodies = &rigid_;
-    rigid_.first_id = std::uint64_t(walls.akinci2012.n);
+    layered_ = body_method(in.scene) == WallMethod::adami2012;
+    rigid_.first_id = (layered_ ? in.sample.adami2012 : in.sample.akinci2012).wall.size();
   }
   CarriedBodies(const CarriedBodies&) = delete;
 
@@ -97,10 +98,17 @@ template <int D> class CarriedBodies {
           body.mobility[i][j] = mobility[std::size_t(axis(i))][std::size_t(axis(j))];
       const Load pull = bodies_.pull(b, time);
       body.pull = body.answer(twist(pull.force, pull.torque));
+      const BodyState start = bodies_.at(b, time, 0), end = bodies_.at(b, time, dt);
+      body.acceleration = body.answer(body.force) + body.pull +
+                          1 / dt *
+                              (twist(end.velocity, end.angular_velocity) -
+                               twist(start.velocity, start.angular_velocity));
       turn_.emplace_back(now.orientation);
       center_.push_back({now.position[0], now.position[1], now.position[2]});
     }
-    put(walls);
+    place();
+    if (layered_) put(walls.of_layered_bodies, walls.adami2012);
+    else put(walls.of_bodies, walls.akinci2012);
     turn_.clear();
     center_.clear();
   }
@@ -137,7 +145,7 @@ template <int D> class CarriedBodies {
     else return {Real(x.x), Real(x.y)};
   }
 
-  void put(Walls<D>& walls) {
+  void place() {
     const std::size_t n = local_.size();
     places_.resize(n);
     for (std::size_t k = 0; k < n; ++k) {
@@ -150,9 +158,10 @@ template <int D> class CarriedBodies {
         x -= length_[p] * std::floor((x - low_[p]) / length_[p]);
       }
     }
-    auto& samples = walls.of_bodies;
+  }
+  template <class Wall> void put(const Wall& samples, const Wall& wall) const {
+    const std::size_t n = local_.size();
     for (int k = 0; k < samples.n; ++k) samples.x[k] = flat(places_[samples.id[k]]);
-    auto& wall = walls.akinci2012;
     for (int k = 0; k < wall.n; ++k) {
       if (wall.id[k] < rigid_.first_id) continue;
       const std::uint64_t number = wall.id[k] - rigid_.first_id;
@@ -170,6 +179,7 @@ template <int D> class CarriedBodies {
 
   Bodies bodies_;
   ForceMoment moment_;
+  bool layered_;
   RigidBodies<D> rigid_;
   std::vector<Vec<3, double>> local_, places_,
       center_;  // from the centre of mass at the start; now

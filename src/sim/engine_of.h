@@ -40,10 +40,13 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
                      copy_rules<D>(input.scene, copy_walls_));
     confine();
     fill_fluid(input);
+    const std::size_t carried = input.sample.bodies.body.size()
+                                << std::popcount(unsigned(input.scene.domain.periodic));
+    const bool layered = body_method(input.scene) == WallMethod::adami2012;
     fill_wall("akinci2012", walls_.akinci2012, input.sample.akinci2012, input.scene,
-              input.sample.bodies.body.size()
-                  << std::popcount(unsigned(input.scene.domain.periodic)));
-    fill_wall("adami2012", walls_.adami2012, input.sample.adami2012, input.scene);
+              layered ? 0 : carried);
+    fill_wall("adami2012", walls_.adami2012, input.sample.adami2012, input.scene,
+              layered ? carried : 0);
     fill_wall("monaghan2009", walls_.monaghan2009, input.sample.monaghan2009, input.scene);
     wall_count_ = int(input.scene.wall_names().size());
     if (!copy_walls_.empty()) backend_.allocate(fluid_, Keep::scratch, copy_force_);
@@ -145,13 +148,13 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
     if constexpr (requires { solver_.akinci2012_forces(fluid_, walls_.akinci2012); }) {
       const Real h = solver_.c.support;
       auto akinci2012 = walls_.akinci2012;
-      akinci2012.moves = false;  // as it was found
+      auto adami2012 = walls_.adami2012;
+      akinci2012.moves = adami2012.moves = false;  // as they were found
       forces.add(backend_, h, akinci2012, fluid_, solver_.akinci2012_forces(fluid_, akinci2012));
       if constexpr (iterates)
         forces.add(backend_, h, akinci2012, fluid_,
                    solver_.akinci2012_friction(fluid_, akinci2012));
-      else
-        forces.add(backend_, h, walls_.adami2012, fluid_, solver_.adami2012_forces(fluid_, walls_));
+      else forces.add(backend_, h, adami2012, fluid_, solver_.adami2012_forces(fluid_, adami2012));
       forces.add(backend_, h, walls_.monaghan2009, fluid_,
                  solver_.monaghan2009_forces(fluid_, walls_));
     }
@@ -334,11 +337,17 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
     auto& wall = walls_.akinci2012;
     const int all = std::exchange(wall.n, int(in.sample.akinci2012.wall.size()));
     solver_.prepare(backend_, walls_);
-    if (all == wall.n) return;
+    wall.n = all;
+    if (in.sample.bodies.body.empty()) return;
     if constexpr (requires { solver_.akinci2012_forces(fluid_, wall); }) {
       bodies_ = std::make_unique<CarriedBodies<D>>(in, walls_, moment_of_forces(in.scene));
-      wall.n = all;
-      fill_bodies(in.scene, bodies_->psi(solver_.W, solver_.c.support, solver_.c.rho0));
+      if (body_method(in.scene) == WallMethod::adami2012) {
+        fill_bodies("of_layered_bodies", walls_.of_layered_bodies, walls_.adami2012, in.scene);
+      } else {
+        fill_bodies("of_bodies", walls_.of_bodies, wall, in.scene);
+        fill_psi(bodies_->psi(solver_.W, solver_.c.support, solver_.c.rho0));
+      }
+      remember_bodies();
     }
   }
   /// Records that are nothing but doubles.
@@ -355,27 +364,32 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
     const bool leapfrog = integrator == Integrator::leapfrog;
     return {leapfrog ? 1 : integrator == Integrator::verlet ? 0.5 : 0, leapfrog};
   }
-  void fill_bodies(const Scene& scene, const std::vector<Real>& psi) {
-    auto &of_bodies = walls_.of_bodies, &wall = walls_.akinci2012;
+  /// The samples of bodies in a set of their own, `of_bodies`, and at the end of that of walls.
+  template <class Wall>
+  void fill_bodies(const char* name, Wall& of_bodies, const Wall& wall, const Scene& scene) {
     const int n = bodies_->samples(), first = wall.n - n * bodies_->places();
     of_bodies.moves = true;
     backend_.add_set(of_bodies, n);
-    allocate(of_bodies, "of_bodies", "id", Keep::kept, of_bodies.id);
-    allocate(of_bodies, "of_bodies", "x", Keep::kept, of_bodies.x);
-    allocate(of_bodies, "of_bodies", "v", Keep::scratch, of_bodies.v);
+    allocate(of_bodies, name, "id", Keep::kept, of_bodies.id);
+    allocate(of_bodies, name, "x", Keep::kept, of_bodies.x);
+    allocate(of_bodies, name, "v", Keep::scratch, of_bodies.v);
     of_bodies.fields([&](const char* field, Keep keep, auto& f) {
-      this->allocate(of_bodies, "of_bodies", field, keep, f);
+      this->allocate(of_bodies, name, field, keep, f);
     });
     for (int k = 0; k < n; ++k) {
       const auto& body = scene.body[std::size_t(bodies_->body_of(k))];
       of_bodies.id[k] = std::uint64_t(k);
-      of_bodies.psi[k] = psi[std::size_t(k)];
       of_bodies.friction[k] = body.slip == Slip::no_slip;
-      for (int image = 0; image < bodies_->places(); ++image) {
-        wall.psi[first + image * n + k] = of_bodies.psi[k];
+      for (int image = 0; image < bodies_->places(); ++image)
         wall.friction[first + image * n + k] = of_bodies.friction[k];
-      }
     }
+  }
+  void fill_psi(const std::vector<Real>& psi) {
+    const auto &of_bodies = walls_.of_bodies, &wall = walls_.akinci2012;
+    for (int k = 0, first = wall.n - of_bodies.n * bodies_->places(); first + k < wall.n; ++k)
+      wall.psi[first + k] = of_bodies.psi[k % of_bodies.n] = psi[std::size_t(k % of_bodies.n)];
+  }
+  void remember_bodies() {
     backend_.allocate(fluid_, Keep::scratch, walls_.rate);
     auto& states = bodies_->bodies().states();
     static_assert(sizeof(BodyState) == 19 * sizeof(double));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// What the fluid does to rigid bodies, and they to it: versatile rigid-fluid coupling [Akinci,
-/// Ihmsen, Akinci, Solenthaler, Teschner 2012]. Nothing here is called where there are no bodies.
+/// Ihmsen, Akinci, Solenthaler, Teschner 2012], with the samples of any wall.
 #pragma once
 #include "boundary/wall_sets.h"
 #include "pairs/density_rate.h"
@@ -30,6 +30,26 @@ template <int D> struct MoveSamples {
   }
 };
 
+/// Shows samples of adami2012 how a body moves there; walls do not.
+template <int D> struct ShowMotion {
+  AdamiWall<D> samples;
+  const typename RigidBodies<D>::Body* bodies;
+  const int* body_of;
+  const Vec<D>* arm;
+  std::uint64_t first, count;
+  FRESHET_HD void operator()(int k) const {
+    Vec<D> u{}, a{};
+    if (samples.id[k] >= first) {
+      const std::uint64_t number = (samples.id[k] - first) % count;
+      const auto& body = bodies[body_of[number]];
+      u = velocity_at<D>(body.motion, arm[number]);
+      a = acceleration_at<D>(body.acceleration, body.motion, arm[number]);
+    }
+    samples.u[k] = u;
+    samples.a[k] = a;
+  }
+};
+
 /// A sample's share of the force and the torque on its body.
 template <int D> struct SampleWrench {
   struct Item {
@@ -53,9 +73,12 @@ template <int D> struct BodyCoupling {
   /// What the term by which samples act does to the bodies, in totals [N, N m].
   template <class B, class Fluid, class Term>
   static void sum_reactions(B& backend, const Walls<D>& w, const Fluid& f, const Term& term) {
-    RigidBodies<D>& bodies = *w.bodies;
+    sum_reactions(backend, *w.bodies, w.of_bodies, f, term);
+  }
+  template <class B, class Fluid, class Term>
+  static void sum_reactions(B& backend, RigidBodies<D>& bodies, const WallParticles<D>& samples,
+                            const Fluid& f, const Term& term) {
     bodies.totals.resize(bodies.all.size());
-    const auto& samples = w.of_bodies;
     backend.sum_pairs("bodies", samples, over(f, Reaction<D, Term>{term}),
                       StoreForce<D>{samples.force});
     backend.sum_groups("bodies", samples, bodies.count(),
@@ -84,6 +107,18 @@ template <int D> struct BodyCoupling {
                       [=] FRESHET_LAMBDA(int i, Real sum) { rate[i] = sum; });
   }
 
+  /// Shows samples of adami2012 how the bodies move, in both sets.
+  template <class B> static void show_motion(B& backend, const Walls<D>& w) {
+    const RigidBodies<D>& bodies = *w.bodies;
+    const auto visit = [&](const AdamiWall<D>& set, std::uint64_t first) {
+      backend.for_each("bodies", set,
+                       ShowMotion<D>{set, bodies.all.data(), bodies.body_of.data(),
+                                     bodies.arm.data(), first, std::uint64_t(bodies.arm.size())});
+    };
+    visit(w.adami2012, bodies.first_id);
+    visit(w.of_layered_bodies, 0);
+  }
+
  private:
   template <class B, class Motion, class FieldOf>
   static void move(B& backend, const Walls<D>& w, const Motion& motion, bool add,
@@ -102,12 +137,18 @@ template <int D> struct BodyCoupling {
   }
 };
 
-/// Of a solver that finds its forces once a step: what they are on the bodies.
-template <int D, class B, class Fluid, class Term>
-void ask_bodies(B& backend, const Walls<D>& w, const Fluid& f, Real support, const Term& term) {
+/// Of a solver that finds its forces once a step: what they are on the bodies, by the term of
+/// either kind of sample.
+template <int D, class B, class Fluid, class Term, class LayeredTerm>
+void ask_bodies(B& backend, const Walls<D>& w, const Fluid& f, Real support, const Term& term,
+                const LayeredTerm& layered_term) {
   if (!w.bodies) return;
-  backend.list_neighbors("bodies", support, w.of_bodies, f);
-  BodyCoupling<D>::sum_reactions(backend, w, f, term);
+  if (w.of_layered_bodies.n > 0) {
+    BodyCoupling<D>::sum_reactions(backend, *w.bodies, w.of_layered_bodies, f, layered_term);
+  } else {
+    backend.list_neighbors("bodies", support, w.of_bodies, f);
+    BodyCoupling<D>::sum_reactions(backend, w, f, term);
+  }
   for (std::size_t b = 0; b < w.bodies->all.size(); ++b) {
     auto& body = w.bodies->all[b];
     body.force_before = body.force;

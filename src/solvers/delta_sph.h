@@ -71,9 +71,8 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
   auto akinci2012_forces(const Fluid& f, const AkinciWall<D>& w) const {
     return DeltaSphAkinciRates{W, numbers(), f.p, f.rho, f.v, w.psi, w.friction, w.v};
   }
-  auto adami2012_forces(const Fluid& f, const Walls<D>& w) const {
-    return DeltaSphAdamiRates{
-        W, numbers(), f.p, f.rho, f.v, w.adami2012.p, w.adami2012.friction, w.adami2012.v};
+  auto adami2012_forces(const Fluid& f, const AdamiWall<D>& w) const {
+    return DeltaSphAdamiRates{W, numbers(), f.p, f.rho, f.v, w.p, w.friction, w.v};
   }
   auto monaghan2009_forces(const Fluid&, const Walls<D>&) const {
     return AsRates<D, Monaghan2009Repulsion<D>>{{c.repulsion(), c.h}};
@@ -92,45 +91,66 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
                            w.monaghan2009);
     const auto f = fluid;
     const Real rho0 = c.rho0, B_tait = c.B(), background = c.background;
+    show_layered_bodies(backend, w, f, c.support);
     const bool density_first = c.integrator == Integrator::symplectic_euler;
     backend.share("rho", f, f.rho);
+    if (w.of_layered_bodies.n > 0) sum_moving_rate(backend, f, w);
     if (antuono) diffuse(backend, f);
-    if (density_first) sum_rates(backend, f, w, "continuity", AdvanceDensity{f, t.dt, antuono});
+    if (density_first)
+      sum_rates(backend, f, w, "continuity", AdvanceDensity{f, w.rate, t.dt, antuono});
     backend.for_each("pressure", f, [=] FRESHET_LAMBDA(int i) {
       f.p[i] = tait(B_tait, f.rho[i] / rho0, background);
     });
     backend.share("rho, p", f, f.rho, f.p);
-    extrapolate_to_walls(backend, w.adami2012, f, W, c);
-    sum_rates(backend, f, w, "rates", SetRates{f, c.liquids, c.gravity, antuono, density_first});
-    ask_bodies(backend, w, f, c.support, akinci2012_forces(f, w.of_bodies));
+    extrapolate_to_walls(backend, w, f, W, c);
+    sum_rates(backend, f, w, "rates",
+              SetRates{f, w.rate, c.liquids, c.gravity, antuono, density_first});
+    ask_bodies(backend, w, f, c.support, akinci2012_forces(f, w.of_bodies),
+               adami2012_forces(f, w.of_layered_bodies));
   }
 
   struct AdvanceDensity {
     Fluid f;
+    Field<Real> moving_rate;
     Real dt;
     bool diffuses;
     FRESHET_HD void operator()(int i, const DeltaSphSum<D, Real>& sum) const {
-      f.rho[i] += dt * (diffuses ? sum.drho + f.diffusion[i] : sum.drho);
+      f.rho[i] += dt * density_rate(f, moving_rate, diffuses, i, sum.drho);
     }
   };
   struct SetRates {
     Fluid f;
+    Field<Real> moving_rate;
     Liquids liquids;
     Vec<D> g;
     bool diffuses, density_is_done;
     FRESHET_HD void operator()(int i, const DeltaSphSum<D, Real>& sum) const {
       f.a[i] = liquids.lightness(f, i) * sum.a + g;
-      f.drho[i] = density_is_done ? 0 : diffuses ? sum.drho + f.diffusion[i] : sum.drho;
+      f.drho[i] = density_is_done ? 0 : density_rate(f, moving_rate, diffuses, i, sum.drho);
     }
   };
+  /// What it sums to, with what passes of their own have found.
+  FRESHET_HD static Real density_rate(const Fluid& f, Field<Real> moving_rate, bool diffuses, int i,
+                                      Real sum) {
+    if (moving_rate.data) sum -= moving_rate[i];
+    return diffuses ? sum + f.diffusion[i] : sum;
+  }
 
   template <class Finish>
   void sum_rates(B& backend, const Fluid& f, const Walls<D>& w, const char* name,
                  const Finish& finish) const {
     backend.sum_pairs(name, f, over(f, fluid_forces(f)),
                       over(w.akinci2012, akinci2012_forces(f, w.akinci2012)),
-                      over(w.adami2012, adami2012_forces(f, w)),
+                      over(w.adami2012, adami2012_forces(f, w.adami2012)),
                       over(w.monaghan2009, monaghan2009_forces(f, w)), finish);
+  }
+
+  /// What the density's rate is less by, as bodies of adami2012 move.
+  void sum_moving_rate(B& backend, const Fluid& f, const Walls<D>& w) const {
+    const auto rho = f.rho, rate = w.rate;
+    backend.sum_pairs("bodies: rate", f,
+                      over(w.adami2012, Adami2012MovingRate{W, c.m / c.rho0, w.adami2012.u}),
+                      [=] FRESHET_LAMBDA(int i, Real sum) { rate[i] = rho[i] * sum; });
   }
 
   void diffuse(B& backend, const Fluid& f) const {

@@ -51,9 +51,8 @@ template <int D, Backend<D> B, template <int> class Kernel> struct Wcsph {
   auto akinci2012_forces(const Fluid& f, const AkinciWall<D>& w) const {
     return Akinci2012Forces{W, Pi(), f.p, f.rho, f.v, w.psi, w.friction, w.v};
   }
-  auto adami2012_forces(const Fluid& f, const Walls<D>& w) const {
-    return Adami2012Forces{
-        W, Pi(), c.m, c.rho0, f.p, f.rho, f.v, w.adami2012.p, w.adami2012.friction, w.adami2012.v};
+  auto adami2012_forces(const Fluid& f, const AdamiWall<D>& w) const {
+    return Adami2012Forces{W, Pi(), c.m, c.rho0, f.p, f.rho, f.v, w.p, w.friction, w.v};
   }
   auto monaghan2009_forces(const Fluid&, const Walls<D>&) const {
     return Monaghan2009Repulsion<D>{c.repulsion(), c.h};
@@ -66,6 +65,7 @@ template <int D, Backend<D> B, template <int> class Kernel> struct Wcsph {
     backend.find_neighbors("neighbors", c.support, fluid, w.akinci2012, w.adami2012,
                            w.monaghan2009);
     const auto f = fluid;
+    show_layered_bodies(backend, w, f, c.support);
     const Kernel<D> W = this->W;
     const Real rho0 = c.rho0, B_tait = c.B(), background = c.background;
     const Vec<D> g = c.gravity;
@@ -78,15 +78,16 @@ template <int D, Backend<D> B, template <int> class Kernel> struct Wcsph {
                         f.p[i] = max(tait(B_tait, f.rho[i] / rho0, background), Real(0));  // eq. 7
                       });
     backend.share("rho, p", f, f.rho, f.p);
-    extrapolate_to_walls(backend, w.adami2012, f, W, c);
+    extrapolate_to_walls(backend, w, f, W, c);
     backend.sum_pairs("forces", f, over(f, fluid_forces(f)),
                       over(w.akinci2012, akinci2012_forces(f, w.akinci2012)),
-                      over(w.adami2012, adami2012_forces(f, w)),
+                      over(w.adami2012, adami2012_forces(f, w.adami2012)),
                       over(w.monaghan2009, monaghan2009_forces(f, w)),
                       [=] FRESHET_LAMBDA(int i, Vec<D> sum) {
                         f.a[i] = liquids.lightness(f, i) * sum + g;
                       });  // eq. 5
-    ask_bodies(backend, w, f, c.support, akinci2012_forces(f, w.of_bodies));
+    ask_bodies(backend, w, f, c.support, akinci2012_forces(f, w.of_bodies),
+               adami2012_forces(f, w.of_layered_bodies));
   }
 };
 

@@ -65,21 +65,41 @@ void integrate_with(B& backend, const WeaklyCompressibleParameters<D>& c, const 
   if (forces && leapfrog) forces->relax(backend, f, w, t.dt);
 }
 
-/// p and v of Adami's wall particles. A wall pushes and never pulls.
+/// After the search: bodies of adami2012 show how they move.
+template <int D, class B, class Fluid>
+void show_layered_bodies(B& backend, const Walls<D>& w, const Fluid& f, Real support) {
+  if (w.of_layered_bodies.n == 0) return;
+  backend.list_neighbors("bodies", support, w.of_layered_bodies, f);
+  BodyCoupling<D>::show_motion(backend, w);
+}
+
+/// p and v of wall particles of Adami whose neighbours have been listed. A wall pushes and never
+/// pulls.
 template <int D, class B, class Kernel, class Fluid>
-void extrapolate_to_walls(B& backend, const AdamiWall<D>& wall, const Fluid& f, const Kernel& W,
-                          const WeaklyCompressibleParameters<D>& c) {
-  if (wall.n == 0) return;
-  backend.list_neighbors("walls", c.support, wall, f);
+void extrapolate(B& backend, const char* name, const AdamiWall<D>& wall, const Fluid& f,
+                 const Kernel& W, const WeaklyCompressibleParameters<D>& c) {
   const auto p = wall.p;
   const auto v = wall.v;
   const auto slide = wall.slide;
-  backend.sum_pairs("walls", wall, over(f, Adami2012Extrapolation{W, c.gravity, c.liquids, f}),
+  const auto u = wall.u;
+  backend.sum_pairs(name, wall, over(f, Adami2012Extrapolation{W, c.gravity, c.liquids, f, wall.a}),
                     [=] FRESHET_LAMBDA(int w, const Adami2012Sums<D, Real>& sum) {
                       const bool wet = sum.W > 0;
                       p[w] = wet ? max((sum.p + sum.rho_x) / sum.W, Real(0)) : 0;
-                      v[w] = wet ? 2 * slide[w] - Real(1) / sum.W * sum.v : Vec<D>{};
+                      v[w] = wet ? 2 * (slide[w] + u[w]) - Real(1) / sum.W * sum.v : Vec<D>{};
                     });
+}
+
+/// Of all of them, and of the bodies' once more.
+template <int D, class B, class Kernel, class Fluid>
+void extrapolate_to_walls(B& backend, const Walls<D>& w, const Fluid& f, const Kernel& W,
+                          const WeaklyCompressibleParameters<D>& c) {
+  if (w.adami2012.n == 0) return;
+  AdamiWall<D> wall = w.adami2012;
+  wall.moves = false;  // since it was found
+  backend.list_neighbors("walls", c.support, wall, f);
+  extrapolate(backend, "walls", wall, f, W, c);
+  if (w.of_layered_bodies.n > 0) extrapolate(backend, "bodies", w.of_layered_bodies, f, W, c);
 }
 
 }  // namespace FRESHET_ISA

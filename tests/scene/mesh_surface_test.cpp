@@ -38,6 +38,20 @@ TEST(MeshSurface, KeepsItsDepthAtEdges) {
       EXPECT_NEAR(-depth, box.signed_distance(p), 0.05 * 0.06);
 }
 
+TEST(MeshSurface, HasLayersAsDenseAsALattice) {
+  const double spacing = 0.1;
+  const auto all = layers_behind(MeshDistance(ball_mesh(1, 4)), spacing, 3);
+  for (int layer = 0; layer < 3; ++layer) {
+    const double r = 1 - (layer + 0.5) * spacing;
+    const auto count = std::count_if(all.begin(), all.end(), [&](const Point& p) {
+      return std::abs(norm(p) - r) < 0.1 * spacing;
+    });
+    EXPECT_NEAR(1, double(count) * spacing * spacing / (4 * 3.14159 * r * r), 0.04) << layer;
+  }
+  const auto plate = layers_behind(MeshDistance(box_mesh({0, 0, 0}, {1, 1, 0.2})), spacing, 3);
+  EXPECT_NEAR(200, double(plate.size()), 20) << "two layers have room, one from either side";
+}
+
 TEST(MeshSurface, OfThinPlatesIsTheirMiddle) {
   const MeshDistance plate(box_mesh({0, 0, 0}, {1, 1, 0.04}));
   const auto all = points_behind(plate, 0.1, 0.05);

@@ -193,6 +193,38 @@ TEST(SampleWalls, FillAnObstacleThatIsThinnerThanItsLayers) {
   EXPECT_EQ(10u, s.adami2012.wall.size());
 }
 
+/// A body where all walls are of a method.
+Scene body_scene(const std::string& method, const std::string& body) {
+  return scene_with("[1, 1]", dx, solver(method.c_str()) + fluid_2d + "[body]\n" + body);
+}
+
+TEST(SampleBodies, TakeTheLayersOfAdamiWhereWallsAreOfIt) {
+  const std::string box = "min = [0.4, 0.4]\nmax = [0.7, 0.8]\n",
+                    disc = "shape = \"sphere\"\ncenter = [0.5, 0.5]\nradius = 0.2\n";
+  EXPECT_EQ(6u * 8 - 2 * 4, sample(body_scene("adami2012", box)).bodies.body.size());
+  EXPECT_EQ(22u + 16, sample(body_scene("adami2012", disc)).bodies.body.size());
+  for (const char* method : {"akinci2012", "monaghan2009", "open"})
+    EXPECT_EQ(24u, sample(body_scene(method, box)).bodies.body.size()) << method;
+  const Sample layered = sample(body_scene("adami2012", box));
+  double shallowest = 1;
+  for (std::size_t i = 0; i < layered.bodies.x.size(); i += 2)
+    shallowest = std::min(shallowest, layered.bodies.x[i] - 0.4);
+  EXPECT_NEAR(dx / 2, shallowest, 1e-12);
+}
+
+TEST(SampleBodies, WarnWhereTheyAreTooThinForTheirLayers) {
+  const auto warnings_of = [](const char* method, const char* width) {
+    return scene_warnings(
+        body_scene(method, std::string("min = [0.4, 0.4]\nmax = [0.9, ") + width + "]\n"));
+  };
+  EXPECT_TRUE(warnings_of("adami2012", "0.5").empty());
+  EXPECT_TRUE(warnings_of("akinci2012", "0.46").empty());
+  const auto warnings = warnings_of("adami2012", "0.46");
+  ASSERT_EQ(1u, warnings.size());
+  EXPECT_NE(std::string::npos, warnings[0].message.find("is 0.06 m thick")) << warnings[0].message;
+  EXPECT_NE(std::string::npos, warnings[0].message.find("make it thicker"));
+}
+
 TEST(WallNames, CountTheSidesFirst) {
   const Scene scene =
       scene_with("[1, 1]", dx,

@@ -16,7 +16,10 @@ namespace {
 struct Words {
   const char* solver;
   const char* time = "step = \"adaptive\"\nstep_max = 0.002\n";
+  const char* walls = "akinci2012";
 };
+const Words layered_wcsph{"wcsph", Words{}.time, "adami2012"};
+const Words layered_delta_sph{"delta_sph", Words{}.time, "adami2012"};
 
 class Bodies : public ::testing::TestWithParam<Words> {
  protected:
@@ -35,18 +38,21 @@ class Bodies : public ::testing::TestWithParam<Words> {
   }
   static std::string with(const std::string& text, const std::string& end,
                           const std::string& solver = "") {
-    return text + "[solver]\nname = \"" + GetParam().solver + "\"\n" + solver +
-           "[time]\nend = " + end + "\n" + GetParam().time;
+    const bool layered = GetParam().walls == std::string("adami2012");
+    return text + (layered ? "[walls]\nmethod = \"adami2012\"\n" : "") + "[solver]\nname = \"" +
+           GetParam().solver + "\"\n" + solver + "[time]\nend = " + end + "\n" + GetParam().time;
   }
 };
-void PrintTo(const Words& w, std::ostream* out) { *out << w.solver << " " << w.time; }
+void PrintTo(const Words& w, std::ostream* out) {
+  *out << w.solver << " " << w.walls << " " << w.time;
+}
 INSTANTIATE_TEST_SUITE_P(
     Solvers, Bodies,
     ::testing::Values(Words{"wcsph"},
                       Words{"wcsph",
                             "step = \"adaptive\"\nstep_max = 0.002\nintegrator = \"leapfrog\"\n"},
-                      Words{"delta_sph"}, Words{"iisph"}, Words{"dfsph"}, Words{"pcisph"},
-                      Words{"pbf"}));
+                      layered_wcsph, Words{"delta_sph"}, layered_delta_sph, Words{"iisph"},
+                      Words{"dfsph"}, Words{"pcisph"}, Words{"pbf"}));
 
 const std::string pool =
     "[domain]\nmax = [1, 0.6]\n[particles]\nspacing = 0.02\n"
@@ -163,6 +169,76 @@ TEST_P(ThinBodies, LetNothingThrough) {
   for (std::size_t i = 0; i < f.size(); ++i)
     EXPECT_GT(double(f.x[2 * i]), 0.59) << "particle " << f.id[i];
   EXPECT_GT(level_of(sim), 0.25) << "the water rose";
+}
+
+/// Bodies of several layers of samples.
+class LayeredBodies : public Bodies {};
+INSTANTIATE_TEST_SUITE_P(Solvers, LayeredBodies,
+                         ::testing::Values(layered_wcsph, layered_delta_sph));
+
+TEST_P(LayeredBodies, PushWaterAndLetNothingThrough) {
+  Simulation sim =
+      simulation_of(with("[domain]\nmax = [1, 0.4]\n[particles]\nspacing = 0.02\n"
+                         "[fluid]\nmin = [0.4, 0]\nmax = [0.8, 0.2]\n"
+                         "[body]\nmin = [0.34, 0]\nmax = [0.4, 0.4]\nmotion = \"moved\"\n"
+                         "interpolation = \"linear\"\n[[body.key]]\ntime = 0\n"
+                         "[[body.key]]\ntime = 0.2\ntranslation = [0.2, 0]\n",
+                         "0.4"));
+  double force = 0;
+  while (!sim.finished()) {
+    sim.step();
+    if (sim.time() < 0.2) force = std::min(force, sim.bodies()[0].force[0]);
+  }
+  const ParticleView f = sim.fluid();
+  EXPECT_NEAR(0.57, sim.bodies()[0].position[0], 1e-9);
+  for (std::size_t i = 0; i < f.size(); ++i)
+    EXPECT_GT(double(f.x[2 * i]), 0.6) << "particle " << f.id[i];
+  EXPECT_GT(level_of(sim), 0.25) << "the water rose";
+  EXPECT_LT(force, -200) << "more than the weight of the water, 0.2 m high, presses";
+}
+
+TEST_P(LayeredBodies, Float) {
+  Simulation sim = simulation_of(with(
+      pool + "[body]\nmin = [0.3, 0.22]\nmax = [0.7, 0.42]\nmotion = \"free\"\ndensity = 500\n",
+      "1.5"));
+  const double particles = double(sim.fluid().size()), spacing = 0.02;
+  const double y = mean_of(sim, 0.8, [](Simulation& s) { return s.bodies()[0].position[1]; });
+  EXPECT_NEAR(particles * spacing * spacing + 0.4 * 0.1, y, 0.02 * 0.2);
+  EXPECT_NEAR(0, sim.bodies()[0].orientation[2], 0.02) << "it lies level";
+}
+
+// A tank under gravity, and one that is lifted without: water cannot tell.
+TEST_P(LayeredBodies, LiftWaterAsIfItWereHeavy) {
+  if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
+  const double g = 9.81, end = 0.15;
+  const auto water = [&](double gravity, const std::string& motion) {
+    std::string text = "[domain]\nmax = [1, 1]\ngravity = [0, " + std::to_string(-gravity) +
+                       "]\n[particles]\nspacing = 0.02\n"
+                       "[fluid]\nmin = [0.3, 0.28]\nmax = [0.7, 0.42]\n";
+    for (const char* corners :
+         {"min = [0.3, 0.2]\nmax = [0.7, 0.28]\n", "min = [0.22, 0.2]\nmax = [0.3, 0.6]\n",
+          "min = [0.7, 0.2]\nmax = [0.78, 0.6]\n"})
+      text += "[[body]]\n" + (corners + motion);
+    const std::string delta_sph = GetParam().solver == std::string("delta_sph")
+                                      ? "density_diffusion = \"antuono2010\"\n"
+                                      : "";
+    return simulation_of(
+        text + "[walls]\nmethod = \"adami2012\"\n[solver]\nsound_speed = 20\nname = \"" +
+        GetParam().solver + "\"\n" + delta_sph + "[time]\nend = " + std::to_string(end) +
+        "\nstep = 2e-4\nintegrator = \"leapfrog\"\n");
+  };
+  Simulation heavy = water(g, ""),
+             lifted = water(0, "motion = \"moved\"\nposition = [\"0\", \"4.905*t^2\"]\n");
+  while (!heavy.finished()) heavy.step();
+  while (!lifted.finished()) lifted.step();
+  std::vector<double> y(heavy.fluid().size());
+  for (std::size_t i = 0; i < y.size(); ++i)
+    y[heavy.fluid().id[i]] = double(heavy.fluid().x[2 * i + 1]);
+  for (std::size_t i = 0; i < y.size(); ++i)
+    EXPECT_NEAR(y[lifted.fluid().id[i]] + g * end * end / 2, double(lifted.fluid().x[2 * i + 1]),
+                1e-3 * 0.02);
+  const double weight = g * 1000 * 0.4 * 0.14;
+  EXPECT_NEAR(heavy.bodies()[0].force[1], lifted.bodies()[0].force[1], 0.01 * weight);
 }
 
 struct Outcome {
