@@ -140,15 +140,12 @@ template <int D> struct BodyCoupling {
 /// Of a solver that finds its forces once a step: what they are on the bodies, by the term of
 /// either kind of sample.
 template <int D, class B, class Fluid, class Term, class LayeredTerm>
-void ask_bodies(B& backend, const Walls<D>& w, const Fluid& f, Real support, const Term& term,
+void ask_bodies(B& backend, const Walls<D>& w, const Fluid& f, const Term& term,
                 const LayeredTerm& layered_term) {
   if (!w.bodies) return;
-  if (w.of_layered_bodies.n > 0) {
+  if (w.of_layered_bodies.n > 0)
     BodyCoupling<D>::sum_reactions(backend, *w.bodies, w.of_layered_bodies, f, layered_term);
-  } else {
-    backend.list_neighbors("bodies", support, w.of_bodies, f);
-    BodyCoupling<D>::sum_reactions(backend, w, f, term);
-  }
+  else BodyCoupling<D>::sum_reactions(backend, w, f, term);
   for (std::size_t b = 0; b < w.bodies->all.size(); ++b) {
     auto& body = w.bodies->all[b];
     body.force_before = body.force;

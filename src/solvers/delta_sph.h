@@ -91,7 +91,7 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
                            w.monaghan2009);
     const auto f = fluid;
     const Real rho0 = c.rho0, B_tait = c.B(), background = c.background;
-    show_layered_bodies(backend, w, f, c.support);
+    show_bodies(backend, w, f, c.support);
     const bool density_first = c.integrator == Integrator::symplectic_euler;
     backend.share("rho", f, f.rho);
     if (w.of_layered_bodies.n > 0) sum_moving_rate(backend, f, w);
@@ -105,7 +105,7 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
     extrapolate_to_walls(backend, w, f, W, c);
     sum_rates(backend, f, w, "rates",
               SetRates{f, w.rate, c.liquids, c.gravity, antuono, density_first});
-    ask_bodies(backend, w, f, c.support, akinci2012_forces(f, w.of_bodies),
+    ask_bodies(backend, w, f, akinci2012_forces(f, w.of_bodies),
                adami2012_forces(f, w.of_layered_bodies));
   }
 

@@ -65,7 +65,7 @@ template <int D, Backend<D> B, template <int> class Kernel> struct Wcsph {
     backend.find_neighbors("neighbors", c.support, fluid, w.akinci2012, w.adami2012,
                            w.monaghan2009);
     const auto f = fluid;
-    show_layered_bodies(backend, w, f, c.support);
+    show_bodies(backend, w, f, c.support);
     const Kernel<D> W = this->W;
     const Real rho0 = c.rho0, B_tait = c.B(), background = c.background;
     const Vec<D> g = c.gravity;
@@ -86,7 +86,7 @@ template <int D, Backend<D> B, template <int> class Kernel> struct Wcsph {
                       [=] FRESHET_LAMBDA(int i, Vec<D> sum) {
                         f.a[i] = liquids.lightness(f, i) * sum + g;
                       });  // eq. 5
-    ask_bodies(backend, w, f, c.support, akinci2012_forces(f, w.of_bodies),
+    ask_bodies(backend, w, f, akinci2012_forces(f, w.of_bodies),
                adami2012_forces(f, w.of_layered_bodies));
   }
 };

@@ -65,12 +65,17 @@ void integrate_with(B& backend, const WeaklyCompressibleParameters<D>& c, const 
   if (forces && leapfrog) forces->relax(backend, f, w, t.dt);
 }
 
-/// After the search: bodies of adami2012 show how they move.
+/// After the search: bodies show how they move.
 template <int D, class B, class Fluid>
-void show_layered_bodies(B& backend, const Walls<D>& w, const Fluid& f, Real support) {
-  if (w.of_layered_bodies.n == 0) return;
-  backend.list_neighbors("bodies", support, w.of_layered_bodies, f);
-  BodyCoupling<D>::show_motion(backend, w);
+void show_bodies(B& backend, const Walls<D>& w, const Fluid& f, Real support) {
+  if (!w.bodies) return;
+  if (w.of_layered_bodies.n > 0) {
+    backend.list_neighbors("bodies", support, w.of_layered_bodies, f);
+    BodyCoupling<D>::show_motion(backend, w);
+  } else {
+    backend.list_neighbors("bodies", support, w.of_bodies, f);
+    BodyCoupling<D>::set_velocities(backend, w, [](const auto& body) { return body.motion; });
+  }
 }
 
 /// p and v of wall particles of Adami whose neighbours have been listed. A wall pushes and never

@@ -63,11 +63,10 @@ class FloatingBodies : public Bodies {};
 INSTANTIATE_TEST_SUITE_P(Solvers, FloatingBodies,
                          ::testing::Values(Words{"iisph"}, Words{"dfsph"}, Words{"pbf"}));
 
-/// Without delta_sph, which lets some through at this speed.
 class ThinBodies : public Bodies {};
 INSTANTIATE_TEST_SUITE_P(Solvers, ThinBodies,
-                         ::testing::Values(Words{"wcsph"}, Words{"iisph"}, Words{"dfsph"},
-                                           Words{"pcisph"}, Words{"pbf"}));
+                         ::testing::Values(Words{"wcsph"}, Words{"delta_sph"}, Words{"iisph"},
+                                           Words{"dfsph"}, Words{"pcisph"}, Words{"pbf"}));
 
 /// The mean of a quantity over the last seconds of a run.
 template <class F> double mean_of(Simulation& sim, double seconds, F quantity) {
