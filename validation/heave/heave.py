@@ -10,7 +10,7 @@ matrix without the surface's nodes, the added mass is rho b' K^-1 b, and
 
 Steps of the classical Runge-Kutta method. Needs NumPy and SciPy.
 
-  validation/heave/heave.py > validation/heave/heave.csv
+  cd validation/heave; ./heave.py > heave.csv
 """
 import numpy as np
 import scipy.sparse as sp
