@@ -147,7 +147,7 @@ void add_case(std::string& text, const ValidationCase& c, const std::vector<Vali
   for (std::size_t k = 0; k < names.size(); ++k) text += "---|";
   std::set<std::string> reasons;
   for (const ValidationRun* r : of_case) {
-    text += fmt::format("\n| `{}` {} | {} | {:.0f} |", r->solver, resolution_of(*r), r->particles,
+    text += fmt::format("\n| `{}` {} | {} | {:.3g} |", r->solver, resolution_of(*r), r->particles,
                         r->seconds);
     if (!r->expected_failure.empty()) reasons.insert(r->expected_failure);
     for (const std::string& name : names) {
