@@ -19,7 +19,7 @@ struct ValidateArguments {
   std::optional<double> resolution;
   std::string report, output = "runs/validation";
   int jobs = 1;
-  bool all = false, short_form = false, resume = false, json = false;
+  bool all = false, short_form = false, resume = false, measure_only = false, json = false;
 };
 
 std::vector<ValidationCase> cases_that_come_along() {
@@ -92,6 +92,7 @@ int validate_with(const ValidateArguments& a) {
   options.solvers = a.solvers;
   options.resolution = a.resolution;
   options.resume = a.resume;
+  options.run = !a.measure_only;
   options.short_form = a.short_form;
   options.jobs = a.jobs;
   options.output = a.output;
@@ -101,9 +102,10 @@ int validate_with(const ValidateArguments& a) {
   options.after_run = tell;
   const auto runs = validate(options);
   if (runs.empty())
-    throw Error(Error::Kind::scene, "--solver",
-                "none of the cases is run with it; see freshet validate for the cases, and their "
-                "case.toml for the solvers");
+    throw Error(Error::Kind::scene, a.measure_only ? "--measure-only" : "--solver",
+                a.measure_only ? "--output holds no run of these cases; leave --measure-only out"
+                               : "none of the cases is run with it; see freshet validate for the "
+                                 "cases, and their case.toml for the solvers");
   if (!a.report.empty()) {
     write(fs::path(a.report) / "index.html", validation_html(options.cases, runs));
     write(fs::path(a.report) / "validation.json", validation_json(runs));
@@ -133,6 +135,8 @@ void add_validate(CLI::App& app, int& code) {
   command->add_flag("--short", a->short_form, "coarser, with fewer solvers: minutes for all");
   command->add_flag("--resume", a->resume,
                     "keep what --output holds of the same scenes, and go on with what was stopped");
+  command->add_flag("--measure-only", a->measure_only,
+                    "measure the runs that --output holds, and run nothing");
   command
       ->add_option("--jobs", a->jobs, "runs at a time, a thread each (default: one, all threads)")
       ->check(CLI::Range(1, 1024));
@@ -141,7 +145,8 @@ void add_validate(CLI::App& app, int& code) {
                       "folder for index.html, validation.json and validation.md");
   command->add_flag("--json", a->json, "the results as JSON, on standard output");
   command->footer(
-      "The exit code is 1 where a stated bound is missed.\nExamples:\n  freshet validate\n"
+      "The exit code is 1 where a bound is missed, or met, against what the case "
+      "tells.\nExamples:\n  freshet validate\n"
       "  freshet validate dam_break_front --solver dfsph\n"
       "  freshet validate --all --short --jobs 2 --report validation_report\n"
       "  freshet validate --all --resume --report validation_report");

@@ -97,6 +97,7 @@ struct ValidateOptions {
   std::optional<double> resolution;  ///< instead of the case's
   bool short_form = false;
   bool resume = false;           ///< runs of the same scene that `output` holds are not made again
+  bool run = true;               ///< false: what `output` holds is measured, and nothing is run
   int jobs = 1;                  ///< solvers of cases at a time
   std::filesystem::path output;  ///< where the runs go, a folder each
   std::function<void(const ValidationRun&)> before_run;

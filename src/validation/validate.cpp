@@ -11,6 +11,7 @@
 #include <limits>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <thread>
 
 #include "core/text.h"
@@ -87,6 +88,11 @@ void simulate(const Scene& scene, const RunOptions& run, bool resume) {
   freshet::run(scene, run);
 }
 
+bool is_under_way(const fs::path& folder) {
+  return !fs::exists(folder / "report.json") &&
+         json_of(folder / "manifest.json").value("state", "") != "failed";
+}
+
 /// What a run tells of itself.
 void tell_costs(ValidationRun& r, const fs::path& folder) {
   const auto report = json_of(folder / "report.json"), manifest = json_of(folder / "manifest.json");
@@ -101,7 +107,9 @@ fs::path folder_of(const ValidationRun& r, const ValidateOptions& options) {
   return options.output / fmt::format("{}_{}_{:g}", r.case_name, r.solver, r.resolution);
 }
 
-ValidationRun run_of(const Series& s, double resolution, const ValidateOptions& options) {
+/// None, if it may not be run and has not been.
+std::optional<ValidationRun> run_of(const Series& s, double resolution,
+                                    const ValidateOptions& options) {
   const ValidationCase& c = *s.the_case;
   ValidationRun r;
   r.case_name = c.name;
@@ -109,7 +117,7 @@ ValidationRun run_of(const Series& s, double resolution, const ValidateOptions& 
   r.resolution = resolution;
   r.unit = c.unit();
   r.expected_failure = expected_miss(c, r, "");
-  if (options.before_run) options.before_run(r);
+  if (options.run && options.before_run) options.before_run(r);
   try {
     const Scene scene = load_scene(c.scene, overrides_of(c, s.solver, resolution));
     RunOptions run;
@@ -118,8 +126,10 @@ ValidationRun run_of(const Series& s, double resolution, const ValidateOptions& 
     run.scene_name = c.name;
     run.command = {"freshet", "validate", c.name};
     run.execution.threads = options.jobs > 1 ? 1 : 0;
-    simulate(scene, run, options.resume);
-    tell_costs(r, run.output);
+    if (options.run) simulate(scene, run, options.resume);
+    else if (!holds(run.output, scene) || is_under_way(run.output)) return {};
+    if (fs::exists(run.output / "report.json")) tell_costs(r, run.output);
+    else r.error = "the run failed";
   } catch (const Error& e) {
     if (e.kind() == Error::Kind::scene) throw;
     r.error = e.diagnostics().front().text();
@@ -181,7 +191,9 @@ void add_orders(const ValidationCase& c, const ValidationRun& coarse, Validation
 
 std::vector<ValidationRun> run_series(const Series& s, const ValidateOptions& options) {
   std::vector<ValidationRun> runs;
-  for (const double resolution : s.resolutions) runs.push_back(run_of(s, resolution, options));
+  for (const double resolution : s.resolutions)
+    if (auto r = run_of(s, resolution, options)) runs.push_back(std::move(*r));
+  if (runs.empty()) return runs;
   const fs::path finest = folder_of(runs.back(), options);
   for (ValidationRun& r : runs)
     if (r.error.empty()) measure_run(*s.the_case, r, options, finest);

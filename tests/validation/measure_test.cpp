@@ -283,6 +283,10 @@ TEST_F(AProgramme, KeepsTheRunsOfTheSameScene) {
   const auto after = validate(options);
   EXPECT_EQ(77, after[0].steps) << "it was made again";
   EXPECT_EQ(before[0].results[0].value, after[0].results[0].value);
+  fs::remove_all(folder / "runs/case_wcsph_0.025");
+  options.run = false;
+  EXPECT_EQ(2u, validate(options).size()) << "one is not there, and none is to be made";
+  options.run = true;
   options.cases[0].set[0].second[0].second = "3 spacings";
   EXPECT_NE(77, validate(options)[0].steps) << "it is another scene";
 }
