@@ -29,8 +29,8 @@ struct ValidationMeasure {
   std::string reason;                  ///< for the bound, or the order
 };
 
-/// What is known to miss: these measures of these runs, whatever list is empty: all of them. Where
-/// no measure is named, the run as a whole fails.
+/// What is known to miss: these measures of these runs. A list that is empty names all; where no
+/// measure is named, the run fails as a whole.
 struct ValidationMiss {
   std::vector<std::string> solvers, measures;
   std::vector<double> resolutions;
