@@ -97,14 +97,14 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
     if (w.of_layered_bodies.n > 0) sum_moving_rate(backend, f, w);
     if (antuono) diffuse(backend, f);
     if (density_first)
-      sum_rates(backend, f, w, "continuity", AdvanceDensity{f, w.rate, t.dt, antuono});
+      sum_rates(backend, f, w, "continuity", AdvanceDensity{f, moving_rate(w), t.dt, antuono});
     backend.for_each("pressure", f, [=] FRESHET_LAMBDA(int i) {
       f.p[i] = tait(B_tait, f.rho[i] / rho0, background);
     });
     backend.share("rho, p", f, f.rho, f.p);
     extrapolate_to_walls(backend, w, f, W, c);
     sum_rates(backend, f, w, "rates",
-              SetRates{f, w.rate, c.liquids, c.gravity, antuono, density_first});
+              SetRates{f, moving_rate(w), c.liquids, c.gravity, antuono, density_first});
     ask_bodies(backend, w, f, akinci2012_forces(f, w.of_bodies),
                adami2012_forces(f, w.of_layered_bodies));
   }
@@ -145,6 +145,10 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
                       over(w.monaghan2009, monaghan2009_forces(f, w)), finish);
   }
 
+  /// Nothing where bodies are of one layer: there the pair terms have their velocities.
+  static Field<Real> moving_rate(const Walls<D>& w) {
+    return w.of_layered_bodies.n > 0 ? w.rate : Field<Real>{};
+  }
   /// What the density's rate is less by, as bodies of adami2012 move.
   void sum_moving_rate(B& backend, const Fluid& f, const Walls<D>& w) const {
     const auto rho = f.rho, rate = w.rate;
