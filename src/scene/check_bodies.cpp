@@ -341,15 +341,8 @@ bool check_body(const Scene& s, std::size_t k, Findings& out) {
 bool check_joint(const Scene& s, std::size_t k, Findings& out) {
   const Scene::Joint& j = s.joint[k];
   const std::string at = fmt::format("joint[{}].", k);
-  const auto find = [&](const std::string& name, const char* key) -> const Scene::Body* {
-    std::string names;
-    for (std::size_t b = 0; b < s.body.size(); ++b) {
-      if (s.body_name(b) == name) return &s.body[b];
-      names += (b ? ", " : "") + s.body_name(b);
-    }
-    out.error(at + key, fmt::format("joint.{} is \"{}\", and no body is called that; {}", key, name,
-                                    names.empty() ? "there is none" : "there are: " + names));
-    return nullptr;
+  const auto find = [&](const std::string& name, const char* key) {
+    return find_body(s, name, at + key, fmt::format("joint.{}", key), out);
   };
   bool good = check_axis(s, at + "axis", "joint.axis", j.axis, out);
   const Scene::Body* body = find(j.body, "body");
@@ -381,6 +374,18 @@ bool check_joint(const Scene& s, std::size_t k, Findings& out) {
 }
 
 }  // namespace
+
+const Scene::Body* find_body(const Scene& s, const std::string& name, const std::string& at,
+                             const std::string& key, Findings& out) {
+  std::string names;
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    if (s.body_name(b) == name) return &s.body[b];
+    names += (b ? ", " : "") + s.body_name(b);
+  }
+  out.error(at, fmt::format("{} is \"{}\", and no body is called that; {}", key, name,
+                            names.empty() ? "there is none" : "there are: " + names));
+  return nullptr;
+}
 
 bool check_bodies(const Scene& s, Findings& out) {
   if (s.body.size() > most_bodies) {

@@ -4,6 +4,7 @@
 
 #include "scene/findings.h"
 #include "scene/keys.h"
+#include "scene/probe_plane.h"
 #include "scene/setup.h"
 
 namespace freshet {
@@ -48,6 +49,29 @@ void check_vectors(const Scene& s, const Scene::Probe& p, const std::string& at,
   if (p.kind != ProbeKind::line)
     out.unused(at + "count", "probe.count",
                fmt::format("a {} has no count; remove it, or choose kind = \"line\"", kind));
+  if (p.kind != ProbeKind::plane)
+    out.unused(at + "apart", "probe.apart",
+               fmt::format("a {} is no plane; remove it, or choose kind = \"plane\"", kind));
+}
+
+/// A rectangle of not too many places.
+void check_plane(const Scene& s, const Scene::Probe& p, const std::string& at, Findings& out) {
+  const auto n = std::size_t(s.dimension());
+  if (p.from.size() != n || p.to.size() != n || p.from == p.to) return;  // is told of already
+  std::size_t axes = 0;
+  double places = 1;
+  for (std::size_t d = 0; d < n; ++d) {
+    axes += p.from[d] != p.to[d];
+    places *= 1 + double(steps_of_plane(s, p, d));
+  }
+  if (axes != 2)
+    out.error(at + "to", fmt::format("probe.to differs from probe.from along {} {}; opposite "
+                                     "corners of a plane differ along two",
+                                     axes, axes == 1 ? "axis" : "axes"));
+  else if (places > most_places)
+    out.error(at + "to", fmt::format("the plane has {:.3g} places; at most {} are allowed; make "
+                                     "probe.apart larger",
+                                     places, most_places));
 }
 
 }  // namespace
@@ -62,6 +86,8 @@ void check_probes(const Scene& s, Findings& out) {
     const Scene::Probe& p = s.probe[k];
     const std::string at = fmt::format("probe[{}].", k);
     check_vectors(s, p, at, out);
+    if (p.kind == ProbeKind::plane) check_plane(s, p, at, out);
+    if (!p.body.empty()) find_body(s, p.body, at + "body", "probe.body", out);
     if (p.count > most_places)
       out.error(at + "count", fmt::format("probe.count is {}; at most {} places are allowed",
                                           p.count, most_places));

@@ -12,13 +12,13 @@
 #include "kernels/cubic_spline.h"
 #include "kernels/lattice_sum.h"
 #include "scene/places.h"
+#include "sim/probe_places.h"
 
 namespace freshet {
 namespace {
 
 constexpr const char* axis_names[] = {"x", "y", "z"};
 constexpr double least_fraction = 0.05, surface_fraction = 0.5;
-constexpr int surface_places_per_spacing = 4;
 
 /// What is known of the fluid at a place.
 struct Reading {
@@ -26,45 +26,31 @@ struct Reading {
   std::array<double, 3> velocity{};
 };
 
-/// The places that one probe asks at, one after the other.
-std::vector<Vector> places_of(const Scene& s, const Scene::Probe& p) {
-  if (p.kind == ProbeKind::point) return {p.at};
-  std::int64_t count = p.count;
-  if (p.kind == ProbeKind::surface) {
-    double length2 = 0;
-    for (std::size_t d = 0; d < p.from.size(); ++d)
-      length2 += (p.to[d] - p.from[d]) * (p.to[d] - p.from[d]);
-    count = 1 + std::int64_t(std::ceil(std::sqrt(length2) / s.particles.spacing *
-                                       surface_places_per_spacing));
-  }
-  std::vector<Vector> places;
-  for (std::int64_t k = 0; k < count; ++k) {
-    Vector x;
-    for (std::size_t d = 0; d < p.from.size(); ++d)
-      x.push_back(p.from[d] + (p.to[d] - p.from[d]) * double(k) / double(count - 1));
-    places.push_back(x);
-  }
-  return places;
-}
-
-/// Readings at fixed places.
+/// Readings at the places where it stands.
 class Reader {
  public:
   virtual ~Reader() = default;
+  virtual void stand_at(const std::vector<std::vector<Vector>>& places) = 0;
   virtual std::vector<Reading> read(const ParticleView& fluid) const = 0;
 };
 
 template <int D> class ReaderIn final : public Reader {
  public:
-  ReaderIn(const Scene& s, const std::vector<Vector>& places)
+  explicit ReaderIn(const Scene& s)
       : support_(support_radius(s)),
         W_(Real(support_)),
         volume_(std::pow(s.particles.spacing, D) /
                 lattice_sum<D>(W_, s.particles.spacing, support_)),
-        count_(places.size()) {
-    const auto shifts = periodic_shifts<D>(s);
-    for (std::size_t k = 0; k < places.size(); ++k)
-      for (const Vec<D, double>& shift : shifts) add(vec_of<D>(places[k]) + shift, k);
+        shifts_(periodic_shifts<D>(s)) {}
+
+  void stand_at(const std::vector<std::vector<Vector>>& probes) override {
+    near_.clear();
+    count_ = 0;
+    for (const auto& places : probes)
+      for (const Vector& place : places) {
+        for (const Vec<D, double>& shift : shifts_) add(vec_of<D>(place) + shift, count_);
+        ++count_;
+      }
   }
 
   std::vector<Reading> read(const ParticleView& f) const override {
@@ -140,7 +126,8 @@ template <int D> class ReaderIn final : public Reader {
   double support_;
   CubicSpline<D> W_;
   double volume_;
-  std::size_t count_;
+  std::vector<Vec<D, double>> shifts_;
+  std::size_t count_ = 0;
   std::map<Cell, std::vector<Place>> near_;
 };
 
@@ -165,28 +152,25 @@ double reach(const Scene::Probe& p, const std::vector<Reading>& readings) {
 
 }  // namespace
 
-struct Probes::Places {
+struct Probes::Parts {
   const Scene& scene;
-  std::vector<std::vector<Vector>> places;  ///< by probe
-  std::unique_ptr<Reader> reader;           ///< of all of them, one after the other
+  ProbePlaces places;
+  std::unique_ptr<Reader> reader;
 };
 
-Probes::Probes(const Scene& scene) : places_(std::make_unique<Places>(Places{scene, {}, nullptr})) {
-  std::vector<Vector> all;
-  for (const Scene::Probe& p : scene.probe) {
-    places_->places.push_back(places_of(scene, p));
-    all.insert(all.end(), places_->places.back().begin(), places_->places.back().end());
-  }
-  if (scene.dimension() == 2) places_->reader = std::make_unique<ReaderIn<2>>(scene, all);
-  else places_->reader = std::make_unique<ReaderIn<3>>(scene, all);
+Probes::Probes(const Scene& scene)
+    : parts_(std::make_unique<Parts>(Parts{scene, ProbePlaces(scene), nullptr})) {
+  if (scene.dimension() == 2) parts_->reader = std::make_unique<ReaderIn<2>>(scene);
+  else parts_->reader = std::make_unique<ReaderIn<3>>(scene);
+  parts_->reader->stand_at(parts_->places.at_the_start());
 }
 Probes::~Probes() = default;
 Probes::Probes(Probes&&) noexcept = default;
 
-std::size_t Probes::size() const { return places_->places.size(); }
+std::size_t Probes::size() const { return parts_->places.at_the_start().size(); }
 
 std::string Probes::header(std::size_t k) const {
-  const Scene& s = places_->scene;
+  const Scene& s = parts_->scene;
   const bool flat = s.dimension() == 2;
   std::string line = "time [s]";
   if (s.probe[k].kind == ProbeKind::surface) return line + ",distance [m]\n";
@@ -196,24 +180,25 @@ std::string Probes::header(std::size_t k) const {
   return line + (flat ? ",density [kg/m^2],pressure [N/m]\n" : ",density [kg/m^3],pressure [Pa]\n");
 }
 
-std::vector<std::string> Probes::look(double time, const ParticleView& fluid) const {
+std::vector<std::string> Probes::look(double time, const ParticleView& fluid,
+                                      const std::vector<BodyState>& bodies) {
+  const auto at = parts_->places.now(bodies);
+  if (parts_->places.move()) parts_->reader->stand_at(at);
+  const auto readings = parts_->reader->read(fluid);
   std::vector<std::string> tables;
-  const auto readings = places_->reader->read(fluid);
   auto from = readings.begin();
   for (std::size_t k = 0; k < size(); ++k) {
-    const auto& places = places_->places[k];
-    const std::vector<Reading> own(from, from + std::ptrdiff_t(places.size()));
-    from += std::ptrdiff_t(places.size());
+    const std::vector<Reading> own(from, from + std::ptrdiff_t(at[k].size()));
+    from += std::ptrdiff_t(at[k].size());
     std::string lines;
-    if (places_->scene.probe[k].kind == ProbeKind::surface) {
-      lines = fmt::format("{:.9g},{:.9g}\n", time, reach(places_->scene.probe[k], own));
+    if (parts_->scene.probe[k].kind == ProbeKind::surface) {
+      lines = fmt::format("{:.9g},{:.9g}\n", time, reach(parts_->scene.probe[k], own));
     } else {
       for (std::size_t n = 0; n < own.size(); ++n) {
         lines += fmt::format("{:.9g}", time);
-        for (const double x : places[n]) lines += fmt::format(",{:.9g}", x);
+        for (const double x : at[k][n]) lines += fmt::format(",{:.9g}", x);
         lines += fmt::format(",{:.9g}", own[n].fraction);
-        for (std::size_t d = 0; d < places[n].size(); ++d)
-          lines += "," + number(own[n].velocity[d]);
+        for (std::size_t d = 0; d < at[k][n].size(); ++d) lines += "," + number(own[n].velocity[d]);
         lines += "," + number(own[n].density) + "," + number(own[n].pressure) + "\n";
       }
     }

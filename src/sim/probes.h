@@ -8,7 +8,8 @@
 
 namespace freshet {
 
-/// Reads the fluid where the scene's probes stand, and never changes it.
+/// Reads the fluid where the scene's probes stand, or bodies have carried them, and never changes
+/// it.
 ///
 /// At a place r, with the cubic spline W of the particles' support and their volume V at rest:
 ///
@@ -28,11 +29,12 @@ class Probes {
   /// The line of names of the k-th probe's table.
   std::string header(std::size_t k) const;
   /// What each probe tells at this time [s], as lines of its table.
-  std::vector<std::string> look(double time, const ParticleView& fluid) const;
+  std::vector<std::string> look(double time, const ParticleView& fluid,
+                                const std::vector<BodyState>& bodies);
 
  private:
-  struct Places;
-  std::unique_ptr<Places> places_;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 /// "probes/NAME.csv": the k-th probe's table, in the folder of a run.

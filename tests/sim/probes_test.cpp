@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include "scene/expressions.h"
@@ -28,7 +29,7 @@ std::string block(const std::string& probe, const std::string& more = "") {
 /// The numbers of the last line that the first probe tells.
 std::vector<double> look(const std::string& scene, double time = 0.5) {
   Simulation sim = simulation_of(scene);
-  const auto lines = Probes(sim.scene()).look(time, sim.fluid());
+  const auto lines = Probes(sim.scene()).look(time, sim.fluid(), sim.bodies());
   std::istringstream in(lines.at(0).substr(lines[0].rfind('\n', lines[0].size() - 2) + 1));
   std::vector<double> numbers;
   for (std::string word; std::getline(in, word, ',');) numbers.push_back(std::stod(word));
@@ -61,6 +62,53 @@ TEST(Probes, FindTheSurface) {
   EXPECT_EQ(0, dry[1]);
 }
 
+TEST(Probes, AskInAPlane) {
+  if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
+  Simulation sim = simulation_of(
+      block("[probe]\nkind = \"plane\"\nfrom = [0.2, 0.1]\nto = [0.8, 0.5]\napart = 0.2\n"));
+  const std::string lines = Probes(sim.scene()).look(0, sim.fluid(), sim.bodies()).at(0);
+  std::istringstream in(lines);
+  std::vector<std::array<double, 3>> told;  // x, y, velocity along x
+  for (std::string line; std::getline(in, line);) {
+    std::array<double, 8> n{};
+    std::istringstream words(line);
+    for (double& a : n) {
+      std::string word;
+      std::getline(words, word, ',');
+      a = std::stod(word);
+    }
+    told.push_back({n[1], n[2], n[4]});
+  }
+  ASSERT_EQ(12u, told.size()) << "4 along x, 3 along y";
+  for (std::size_t k = 0; k < told.size(); ++k) {
+    EXPECT_NEAR(0.2 + 0.2 * double(k % 4), told[k][0], 1e-9);
+    EXPECT_NEAR(0.1 + 0.2 * double(k / 4), told[k][1], 1e-9);
+    EXPECT_NEAR(told[k][1], told[k][2], 1e-3);
+  }
+}
+
+TEST(Probes, AreCarriedByABody) {
+  if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
+  Simulation sim = simulation_of(
+      block("[[body]]\nname = \"gate\"\nmin = [1.4, 0.3]\nmax = [1.6, 0.5]\nmotion = "
+            "\"moved\"\nangle = \"5000*t\"\npivot = [1.5, 0.4]\n[probe]\nat = [1.5, 1.4]\n"
+            "body = \"gate\"\n"));
+  Probes probes(sim.scene());
+  const auto told = [&] {  // t, x, y, fraction
+    std::array<double, 4> n{};
+    const std::string line = probes.look(sim.time(), sim.fluid(), sim.bodies()).at(0);
+    EXPECT_EQ(4, std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &n[0], &n[1], &n[2], &n[3])) << line;
+    return n;
+  };
+  EXPECT_EQ(0, told()[3]) << "above the water";
+  for (int k = 0; k < 180; ++k) sim.step();
+  const auto [t, x, y, fraction] = told();
+  const double turned = 5000 * t * std::numbers::pi / 180;  // a quarter
+  EXPECT_NEAR(1.5 - std::sin(turned), x, 1e-5);
+  EXPECT_NEAR(0.4 + std::cos(turned), y, 1e-5);
+  EXPECT_NEAR(1, fraction, 0.05) << "in the water";
+}
+
 TEST(Probes, SeeBeyondAPeriodicEnd) {
   if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
   const std::string periodic = "periodic = \"y\"\n";
@@ -77,7 +125,7 @@ TEST(Probes, TellTheSameWhateverTheOrderOfTheParticles) {
   const auto told = [&](const char* backend, int threads) {
     Simulation sim = simulation_of(text, backend, {threads, ""});
     for (int k = 0; k < 10; ++k) sim.step();
-    return Probes(sim.scene()).look(sim.time(), sim.fluid());
+    return Probes(sim.scene()).look(sim.time(), sim.fluid(), sim.bodies());
   };
   EXPECT_EQ(told("reference", 1), told("cpu", 2));
   EXPECT_EQ(20, std::ranges::count(told("cpu", 1)[0], '\n'));

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cmath>
+#include <cstdint>
+
+#include "freshet/scene.h"
+
+namespace freshet {
+
+/// Steps between the places of a plane along an axis: 0 across it.
+inline std::int64_t steps_of_plane(const Scene& s, const Scene::Probe& p, std::size_t axis) {
+  const double length = std::abs(p.to[axis] - p.from[axis]);
+  const double steps = std::round(length / p.apart.value_or(s.particles.spacing));
+  return length > 0 ? std::int64_t(std::min(std::max(steps, 1.0), 1e9)) : 0;
+}
+
+}  // namespace freshet
