@@ -49,7 +49,7 @@ enum class ColorMap { article, water, viridis, inferno, coolwarm };
 enum class NeighborOrder { cell, id };
 enum class ViscosityMethod { artificial, monaghan2005, morris1997, weiler2018 };
 enum class SurfaceTensionMethod { none, akinci2013, morris2000 };
-enum class ShiftingMethod { none, sun2017 };
+enum class ShiftingMethod { none, lind2012, adami2013, sun2017 };
 enum class VorticityMethod { none, bender2017 };
 enum class Drag { none, gissler2017 };
 enum class WhenWrong { stop, warn };

@@ -44,7 +44,7 @@ inline constexpr const char* iteration_words[] = {"jacobi", "nesterov"};
 inline constexpr const char* viscosity_words[] = {"artificial", "monaghan2005", "morris1997",
                                                   "weiler2018"};
 inline constexpr const char* tension_words[] = {"none", "akinci2013", "morris2000"};
-inline constexpr const char* shifting_words[] = {"none", "sun2017"};
+inline constexpr const char* shifting_words[] = {"none", "lind2012", "adami2013", "sun2017"};
 inline constexpr const char* vorticity_words[] = {"none", "bender2017"};
 inline constexpr const char* drag_words[] = {"none", "gissler2017"};
 inline constexpr const char* wrong_words[] = {"stop", "warn"};

@@ -44,8 +44,10 @@ void solver_force_keys(KeyVisitor& v, Scene::Solver& s) {
                     "splashes and walls that are wetted; not for `mueller2003`"});
   v.choice("shifting_method", s.shifting_method, shifting_words,
            {.unit = "",
-            .text = "`sun2017`: particles go on a little from where they crowd, for flows that "
-                    "fill their space; not for `mueller2003`"});
+            .text = "particles go on a little from where they crowd, for flows that fill their "
+                    "space: `lind2012` by as much in each step, `sun2017` by as much as the flow "
+                    "is fast, `adami2013` by a pressure that moves them and not the flow; not for "
+                    "`mueller2003`"});
   v.choice("vorticity_method", s.vorticity_method, vorticity_words,
            {.unit = "",
             .text = "`bender2017`: particles spin, and give back to the flow what eddies lose; "

@@ -48,9 +48,9 @@ template <int D> ForceParameters<D> force_parameters(const Scene& s, const Deriv
       break;
   }
   c.tension = typename P::Tension(int(s.solver.surface_tension_method));
+  c.shifting = typename P::Shifting(int(s.solver.shifting_method));
   c.vorticity = s.solver.vorticity_method != VorticityMethod::none;
   c.drag = s.air.drag != Drag::none;
-  c.shifting = s.solver.shifting_method != ShiftingMethod::none;
   if (!c.any()) return c;
 
   const double h = d.support_radius;
@@ -76,6 +76,7 @@ template <int D> ForceParameters<D> force_parameters(const Scene& s, const Deriv
   c.Theta = Real(s.solver.vorticity_inertia.value_or(h * h));
   c.implicit = {s.solver.viscosity_tolerance, 0, int(s.solver.viscosity_max_iterations)};
   c.air = {Real(s.air.density), Real(s.air.viscosity), vec_of<D, Real>(s.air.velocity)};
+  c.c0 = Real(s.solver.incompressible() ? 0 : d.sound_speed);
   Vec<D> apart{};
   apart.x = Real(d.spacing);
   c.W_spacing = SceneKernel<D>(Real(h), kernel_order(s))(Pair<D, Real>(apart));

@@ -2,12 +2,15 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "pairs/akinci2013.h"
 #include "pairs/morris1997.h"
+#include "solvers/adami2013.h"
 #include "solvers/bender2017.h"
 #include "solvers/gissler2017.h"
+#include "solvers/lind2012.h"
 #include "solvers/morris2000.h"
 #include "solvers/sun2017.h"
 #include "solvers/weiler2018.h"
@@ -19,9 +22,11 @@ inline namespace FRESHET_ISA {
 template <int D> struct ForceParameters {
   enum class Viscosity { solvers_own, monaghan2005, morris1997, weiler2018 };
   enum class Tension { none, akinci2013, morris2000 };
+  enum class Shifting { none, lind2012, adami2013, sun2017 };
   Viscosity viscosity;
   Tension tension;
-  bool vorticity, drag, shifting;
+  Shifting shifting;
+  bool vorticity, drag;
 
   Real support, h;  ///< support radius, half of it [m]
   Real spacing;     ///< [m]
@@ -34,6 +39,7 @@ template <int D> struct ForceParameters {
   Real nu_t, Theta;       ///< of Bender 2017 [m^2/s, m^2]
   Iterations implicit;    ///< of Weiler 2018
   Air<D> air;
+  Real c0;                ///< speed of sound; 0 where there is none [m/s]
   Real W_spacing;         ///< W at the distance of one spacing [1/m^D]
   Real neighbors_inside;  ///< in a resting lattice
   Real depth;             ///< mean of |x| in W [m]
@@ -41,8 +47,8 @@ template <int D> struct ForceParameters {
   /// The papers' 0.01 h^2 makes a liquid 1.5 % thinner, however fine the particles are.
   Real eps_h2() const { return Real(1e-4f) * h * h; }
   bool any() const {
-    return viscosity != Viscosity::solvers_own || tension != Tension::none || vorticity || drag ||
-           shifting;
+    return viscosity != Viscosity::solvers_own || tension != Tension::none ||
+           shifting != Shifting::none || vorticity || drag;
   }
 };
 
@@ -57,8 +63,20 @@ class Forces final : public NonPressureForces<D, B> {
         W(W),
         implicit_(W, c.m, c.rho0, c.eps_h2(), c.implicit),
         vorticity_{W, c.m, c.nu_t, c.Theta, {}},
-        curvature_{W, c.m, c.rho0, c.support, c.spacing, c.depth, c.no_walls, {}, {}, {}},
-        shifting_{W, c.m, c.rho0, c.h, c.W_spacing, {}, {}, {}} {
+        curvature_{W, c.m, c.rho0, c.support, c.spacing, c.depth, c.no_walls, {}, {}, {}} {
+    switch (c.shifting) {
+      case P::Shifting::none:
+        break;
+      case P::Shifting::lind2012:
+        shifting_ = std::make_unique<Lind2012<D, B, Kernel>>(W, c.m, c.rho0, c.h, c.W_spacing);
+        break;
+      case P::Shifting::adami2013:
+        shifting_ = std::make_unique<Adami2013<D, B, Kernel>>(W, c.m, c.rho0, c.h, c.c0);
+        break;
+      case P::Shifting::sun2017:
+        shifting_ = std::make_unique<Sun2017<D, B, Kernel>>(W, c.m, c.rho0, c.h, c.W_spacing);
+        break;
+    }
     for (int k = 0; k < c.liquids; ++k)
       drag_.push_back({c.air, double(c.support), std::pow(double(c.m / c.rho0), 1.0 / D),
                        double(c.rho0 / c.lightness.of[k]), double(c.mu.of[k]),
@@ -71,7 +89,7 @@ class Forces final : public NonPressureForces<D, B> {
     if (c.tension == P::Tension::morris2000) curvature_.fields(maker);
     if (c.viscosity == P::Viscosity::weiler2018) implicit_.fields(maker);
     if (c.vorticity) vorticity_.fields(maker);
-    if (c.shifting) shifting_.fields(maker);
+    if (shifting_) shifting_->fields(maker);
   }
 
   void accelerate(B& backend, const Fluid& f, const Walls<D>& w, Real dt,
@@ -100,7 +118,7 @@ class Forces final : public NonPressureForces<D, B> {
   }
 
   void shift(B& backend, const Fluid& f, Real dt) const override {
-    if (c.shifting) shifting_.move(backend, f, dt);
+    if (shifting_) shifting_->move(backend, f, dt);
   }
 
   void bound(TimeStepBounds& bounds) const override {
@@ -140,7 +158,7 @@ class Forces final : public NonPressureForces<D, B> {
       vorticity_.push(backend, f, push);
     }
     if (c.drag) add_drag(backend, f);
-    if (c.shifting) shifting_.find(backend, f, w);
+    if (shifting_) shifting_->find(backend, f, w, dt, of(f, c.lightness), push);
   }
   void add_push(B& backend, const Fluid& fluid) const {
     const auto f = fluid;
@@ -261,8 +279,8 @@ class Forces final : public NonPressureForces<D, B> {
   Weiler2018<D, B, Kernel> implicit_;
   Bender2017<D, B, Kernel> vorticity_;
   Morris2000<D, B, Kernel> curvature_;
-  Sun2017<D, B, Kernel> shifting_;
-  std::vector<Gissler2017<D>> drag_;  // by liquid
+  std::unique_ptr<Shifting<D, B>> shifting_;  // none: null
+  std::vector<Gissler2017<D>> drag_;          // by liquid
   std::optional<Solve> solve_;
   Field<Vec<D>> push_;    // scratch: what acts [m/s^2], or velocities of the implicit solve
   Field<Vec<D>> normal_;  // scratch: of the surface, of Akinci 2013

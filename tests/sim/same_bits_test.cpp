@@ -244,6 +244,16 @@ constexpr const char* delta_shifts =
     "name = \"delta_sph\"\nsound_speed = 30.0\nbackground_pressure = 2000.0\n"
     "shifting_method = \"sun2017\"\nviscosity_method = \"morris1997\"";
 constexpr const char* dfsph_shifts = "name = \"dfsph\"\nshifting_method = \"sun2017\"";
+constexpr const char* delta_lind2012 =
+    "name = \"delta_sph\"\nsound_speed = 30.0\nbackground_pressure = 2000.0\n"
+    "shifting_method = \"lind2012\"\nviscosity_method = \"morris1997\"";
+constexpr const char* iisph_lind2012 = "name = \"iisph\"\nshifting_method = \"lind2012\"";
+constexpr const char* delta_adami2013 =
+    "name = \"delta_sph\"\nsound_speed = 30.0\nbackground_pressure = 2000.0\n"
+    "shifting_method = \"adami2013\"\nviscosity_method = \"morris1997\"";
+constexpr const char* wcsph_adami2013 =
+    "name = \"wcsph\"\nsound_speed = 30.0\nshifting_method = \"adami2013\"";
+constexpr const char* pbf_adami2013 = "name = \"pbf\"\nshifting_method = \"adami2013\"";
 constexpr const char* lid =
     "periodic = \"x\"\n[walls]\nmethod = \"adami2012\"\n[[wall]]\nshape = \"plane\"\n"
     "point = [0, -0.05]\nnormal = [0, -1]\nside = \"inside\"\nmethod = \"adami2012\"\n"
@@ -251,7 +261,14 @@ constexpr const char* lid =
 INSTANTIATE_TEST_SUITE_P(Shifted, SameBits,
                          ::testing::Values(Words{2, delta_shifts, lid, "symplectic_euler"},
                                            Words{3, delta_shifts, adami, "leapfrog", adaptive},
-                                           Words{2, dfsph_shifts, akinci, "", adaptive}));
+                                           Words{2, dfsph_shifts, akinci, "", adaptive},
+                                           Words{2, delta_lind2012, lid, "leapfrog"},
+                                           Words{3, delta_lind2012, akinci, "verlet", adaptive},
+                                           Words{2, iisph_lind2012, periodic_xy, ""},
+                                           Words{2, delta_adami2013, lid, "verlet"},
+                                           Words{3, delta_adami2013, akinci, "leapfrog", adaptive},
+                                           Words{2, wcsph_adami2013, ghost, "symplectic_euler"},
+                                           Words{2, pbf_adami2013, periodic_xy, "", adaptive}));
 
 INSTANTIATE_TEST_SUITE_P(
     Forced, SameBits,

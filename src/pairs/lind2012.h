@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Particle shifting of the delta-plus-SPH model [Sun, Colagrossi, Marrone, Zhang 2017].
+/// Particle shifting along the concentration of particles [Lind, Xu, Stansby, Rogers 2012], as the
+/// delta-plus-SPH model does it as well [Sun, Colagrossi, Marrone, Zhang 2017].
 #pragma once
 #include "core/fluid_particles.h"
 
@@ -7,13 +8,15 @@ namespace freshet {
 inline namespace FRESHET_ISA {
 
 /// Where a particle's neighbours crowd, and whether they are all there.
-template <int D, class R> struct Sun2017Sums {
-  Vec<D, R> crowd{};  ///< sum_j V_j (1 + 0.2 (W_ij/W(spacing))^4) grad W_ij  [1/m; eq. 5]
+template <int D, class R> struct Lind2012Sums {
+  Vec<D, R> crowd{};  ///< sum_j V_j (1 + 0.2 (W_ij/W(spacing))^4) grad W_ij  [1/m]
   R div_x{};          ///< -sum_j V_j x_ij · grad W_ij: D inside, less at a surface
+  Vec<D, R> slope{};  ///< sum_j V_j grad W_ij  [1/m]
   Vec<D, R> wall{};   ///< sum_k V_k grad W_ik over samples of walls, towards them  [1/m]
-  FRESHET_HD Sun2017Sums& operator+=(const Sun2017Sums& o) {
+  FRESHET_HD Lind2012Sums& operator+=(const Lind2012Sums& o) {
     crowd += o.crowd;
     div_x += o.div_x;
+    slope += o.slope;
     wall += o.wall;
     return *this;
   }
@@ -22,7 +25,7 @@ template <int D, class R> struct Sun2017Sums {
 /// The sums over particles of the volumes m/rho_j.
 ///
 ///   m [kg], W_spacing W at the distance of one spacing [1/m^D];  reads rho
-template <int D, template <int> class Kernel> struct Sun2017Crowd {
+template <int D, template <int> class Kernel> struct Lind2012Crowd {
   Kernel<D> W;
   Real m, W_spacing;
   Field<Real> rho;
@@ -31,17 +34,19 @@ template <int D, template <int> class Kernel> struct Sun2017Crowd {
   FRESHET_HD At<Real> at(int) const { return {}; }
   FRESHET_HD Neighbor<Real> neighbor(int j) const { return {m / rho[j]}; }
   template <class R>
-  FRESHET_HD Sun2017Sums<D, R> operator()(const Pair<D, R>& ij, At<R>, const Neighbor<R>& j) const {
+  FRESHET_HD Lind2012Sums<D, R> operator()(const Pair<D, R>& ij, At<R>,
+                                           const Neighbor<R>& j) const {
     const Vec<D, R> gradient = j.volume * W.gradient(ij);
     const R near = square(square(W(ij) / W_spacing));
-    return {(1 + Real(0.2f) * near) * gradient, -dot(ij.x, gradient), {}};
+    return {(1 + Real(0.2f) * near) * gradient, -dot(ij.x, gradient), gradient, {}};
   }
 };
-template <int D, template <int> class K, class... A> Sun2017Crowd(K<D>, A...) -> Sun2017Crowd<D, K>;
+template <int D, template <int> class K, class... A>
+Lind2012Crowd(K<D>, A...) -> Lind2012Crowd<D, K>;
 
 /// The same over samples of walls, of the volumes mass_k/rho0; of one mass where `mass` has no
 /// memory.
-template <int D, template <int> class Kernel> struct Sun2017WallCrowd {
+template <int D, template <int> class Kernel> struct Lind2012WallCrowd {
   Kernel<D> W;
   Real m, rho0, W_spacing;
   Field<Real> mass;
@@ -50,14 +55,33 @@ template <int D, template <int> class Kernel> struct Sun2017WallCrowd {
   FRESHET_HD At<Real> at(int) const { return {}; }
   FRESHET_HD Neighbor<Real> neighbor(int k) const { return {(mass.data ? mass[k] : m) / rho0}; }
   template <class R>
-  FRESHET_HD Sun2017Sums<D, R> operator()(const Pair<D, R>& ik, At<R>, const Neighbor<R>& k) const {
+  FRESHET_HD Lind2012Sums<D, R> operator()(const Pair<D, R>& ik, At<R>,
+                                           const Neighbor<R>& k) const {
     const Vec<D, R> gradient = k.volume * W.gradient(ik);
     const R near = square(square(W(ik) / W_spacing));
-    return {(1 + Real(0.2f) * near) * gradient, -dot(ik.x, gradient), gradient};
+    return {(1 + Real(0.2f) * near) * gradient, -dot(ik.x, gradient), gradient, gradient};
   }
 };
 template <int D, template <int> class K, class... A>
-Sun2017WallCrowd(K<D>, A...) -> Sun2017WallCrowd<D, K>;
+Lind2012WallCrowd(K<D>, A...) -> Lind2012WallCrowd<D, K>;
+
+/// sum_j W_ij edge_j: across a free surface near it, and zero farther inside.
+///
+///   reads edge, the slope of the concentration at particles of the surface, zero at all others
+template <int D, template <int> class Kernel> struct Lind2012Normal {
+  Kernel<D> W;
+  Field<Vec<D>> edge;
+  template <class R> using At = Nothing<R>;
+  template <class R> struct Neighbor { Vec<D, R> edge; };
+  FRESHET_HD At<Real> at(int) const { return {}; }
+  FRESHET_HD Neighbor<Real> neighbor(int j) const { return {edge[j]}; }
+  template <class R>
+  FRESHET_HD Vec<D, R> operator()(const Pair<D, R>& ij, At<R>, const Neighbor<R>& j) const {
+    return W(ij) * j.edge;
+  }
+};
+template <int D, template <int> class K, class... A>
+Lind2012Normal(K<D>, A...) -> Lind2012Normal<D, K>;
 
 /// What is different where a particle is shifted to  [1/s times v, rho].
 template <int D, class R> struct ShiftedRates {

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+/// The transport velocity [Adami, Hu, Adams 2013].
+#pragma once
+#include "core/fluid_particles.h"
+#include "pairs/per_liquid.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+/// What a uniform pressure pushes a particle by, and where the particles end.
+template <int D, class R> struct Adami2013Sums {
+  Vec<D, R> push{};   ///< sum_j (V_i^2 + V_j^2) grad W_ij  [m^(D-1)]
+  R div_x{};          ///< -sum_j V_j x_ij · grad W_ij: D inside, less at a surface
+  Vec<D, R> slope{};  ///< sum_j V_j grad W_ij  [1/m]
+  Vec<D, R> layer{};  ///< the same over walls of one layer
+  FRESHET_HD Adami2013Sums& operator+=(const Adami2013Sums& o) {
+    push += o.push;
+    div_x += o.div_x;
+    slope += o.slope;
+    layer += o.layer;
+    return *this;
+  }
+};
+template <int D, class R>
+FRESHET_HD Adami2013Sums<D, R> adami2013_sums(const Vec<D, R>& x_ij, const Vec<D, R>& gradient,
+                                              R V_i, R V_j) {
+  return {(V_i * V_i + V_j * V_j) * gradient, -V_j * dot(x_ij, gradient), V_j * gradient, {}};
+}
+
+/// The sums over particles of the volumes m/rho_j.
+///
+///   m [kg];  reads rho
+template <int D, template <int> class Kernel> struct Adami2013Background {
+  Kernel<D> W;
+  Real m;
+  Field<Real> rho;
+  template <class R> struct At { R volume; };
+  template <class R> using Neighbor = At<R>;
+  FRESHET_HD At<Real> at(int i) const { return {m / rho[i]}; }
+  FRESHET_HD Neighbor<Real> neighbor(int j) const { return at(j); }
+  template <class R>
+  FRESHET_HD Adami2013Sums<D, R> operator()(const Pair<D, R>& ij, const At<R>& i,
+                                            const At<R>& j) const {
+    return adami2013_sums(ij.x, W.gradient(ij), i.volume, j.volume);
+  }
+};
+template <int D, template <int> class K, class... A>
+Adami2013Background(K<D>, A...) -> Adami2013Background<D, K>;
+
+/// The same over samples of walls, of the volumes mass_k/rho0, in one layer; of one mass, and in
+/// many, where `mass` has no memory.
+template <int D, template <int> class Kernel> struct Adami2013WallBackground {
+  Kernel<D> W;
+  Real m, rho0;
+  Field<Real> rho, mass;
+  template <class R> struct At { R volume; };
+  template <class R> using Neighbor = At<R>;
+  FRESHET_HD At<Real> at(int i) const { return {m / rho[i]}; }
+  FRESHET_HD Neighbor<Real> neighbor(int k) const { return {(mass.data ? mass[k] : m) / rho0}; }
+  template <class R>
+  FRESHET_HD Adami2013Sums<D, R> operator()(const Pair<D, R>& ik, const At<R>& i,
+                                            const At<R>& k) const {
+    auto sums = adami2013_sums(ik.x, W.gradient(ik), i.volume, k.volume);
+    if (mass.data) sums.layer = sums.slope;
+    return sums;
+  }
+};
+template <int D, template <int> class K, class... A>
+Adami2013WallBackground(K<D>, A...) -> Adami2013WallBackground<D, K>;
+
+/// What particles that leave the flow carry along: an acceleration [m/s^2] and a rate of density
+/// [kg/(m^D s)].
+template <int D, class R> struct Adami2013Rates {
+  Vec<D, R> a{};
+  R rho{};
+  FRESHET_HD Adami2013Rates& operator+=(const Adami2013Rates& o) {
+    a += o.a;
+    rho += o.rho;
+    return *this;
+  }
+};
+
+/// a    1/m sum_j (V_i^2 + V_j^2) (A_i + A_j)/2 · grad W_ij,  A = rho v (v~ - v)
+/// rho  (u_i · grad) rho = sum_j V_j (rho_j - rho_i) (u_i · grad W_ij),  u = v~ - v
+///
+///   m [kg];  reads rho, v and u [m/s]. A lighter liquid has less of both rho and m: A is of its
+///   own rho, and the sum is to be taken up by the lightness of i.
+template <int D, template <int> class Kernel> struct Adami2013Transport {
+  Kernel<D> W;
+  Real m;
+  PerLiquid lightness;
+  Field<Real> rho;
+  Field<Vec<D>> v, u;
+  template <class R> struct At {
+    R volume, rho;
+    Vec<D, R> half_rho_v, u;
+  };
+  template <class R> using Neighbor = At<R>;
+  FRESHET_HD At<Real> at(int i) const {
+    return {m / rho[i], rho[i], (rho[i] / (2 * lightness[i])) * v[i], u[i]};
+  }
+  FRESHET_HD Neighbor<Real> neighbor(int j) const { return at(j); }
+  template <class R>
+  FRESHET_HD Adami2013Rates<D, R> operator()(const Pair<D, R>& ij, const At<R>& i,
+                                             const At<R>& j) const {
+    const Vec<D, R> gradient = W.gradient(ij);
+    const R along_i = dot(i.u, gradient), along_j = dot(j.u, gradient);
+    const R share = (i.volume * i.volume + j.volume * j.volume) / m;
+    return {share * (along_i * i.half_rho_v + along_j * j.half_rho_v),
+            j.volume * (j.rho - i.rho) * along_i};
+  }
+};
+template <int D, template <int> class K, class... A>
+Adami2013Transport(K<D>, A...) -> Adami2013Transport<D, K>;
+
+/// The same over samples of walls, whose A is zero; a particle that they let come nearer is
+/// compressed: rho_i sum_k V_k (u_i · grad W_ik).
+template <int D, template <int> class Kernel> struct Adami2013WallTransport {
+  Kernel<D> W;
+  Real m, rho0;
+  PerLiquid lightness;
+  Field<Real> rho;
+  Field<Vec<D>> v, u;
+  Field<Real> mass;
+  template <class R> struct At {
+    R volume, rho;
+    Vec<D, R> half_rho_v, u;
+  };
+  template <class R> struct Neighbor { R volume; };
+  FRESHET_HD At<Real> at(int i) const {
+    return {m / rho[i], rho[i], (rho[i] / (2 * lightness[i])) * v[i], u[i]};
+  }
+  FRESHET_HD Neighbor<Real> neighbor(int k) const { return {(mass.data ? mass[k] : m) / rho0}; }
+  template <class R>
+  FRESHET_HD Adami2013Rates<D, R> operator()(const Pair<D, R>& ik, const At<R>& i,
+                                             const Neighbor<R>& k) const {
+    const R along_i = dot(i.u, W.gradient(ik));
+    const R share = (i.volume * i.volume + k.volume * k.volume) / m;
+    return {(share * along_i) * i.half_rho_v, i.rho * k.volume * along_i};
+  }
+};
+template <int D, template <int> class K, class... A>
+Adami2013WallTransport(K<D>, A...) -> Adami2013WallTransport<D, K>;
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

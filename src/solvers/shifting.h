@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+/// What moves particles beside the flow, so that they stay evenly spread, and what ways of it
+/// share.
+#pragma once
+#include <cmath>
+
+#include "boundary/wall_sets.h"
+#include "pairs/lind2012.h"
+#include "pairs/per_liquid.h"
+#include "solvers/backend.h"
+#include "solvers/non_pressure_forces.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+template <int D, class B> struct Shifting {
+  using Fluid = FluidParticles<D>;
+  virtual ~Shifting() = default;
+  virtual void fields(FieldMaker<D>& maker) = 0;
+  /// What a step of dt shifts, by the particles and neighbours as they are; v is shared. push +=
+  /// what that does to the flow's momentum [m/s^2].
+  virtual void find(B& backend, const Fluid& f, const Walls<D>& w, Real dt, PerLiquid lightness,
+                    Field<Vec<D>> push) = 0;
+  /// Shifts, at the end of the step.
+  virtual void move(B& backend, const Fluid& f, Real dt) const = 0;
+
+  /// Of the surface are particles whose -sum_j V_j x_ij · grad W_ij, D inside, is less.
+  static constexpr Real inside = Real(0.75f) * D;
+};
+
+/// Shifting along the concentration of particles: what is shifted takes on the velocity and the
+/// density that the flow has there [Lind, Xu, Stansby, Rogers 2012, eq. 33].
+template <int D, class B, template <int> class Kernel> struct ConcentrationShifting {
+  using Fluid = FluidParticles<D>;
+  Kernel<D> W;
+  Real m, rho0, W_spacing;
+  Field<Vec<D>> u;   ///< scratch: velocity of the shift [m/s]
+  Field<Vec<D>> dv;  ///< scratch: rate of the velocity by it [m/s^2]
+  Field<Real> drho;  ///< scratch: and of the density [kg/m^D/s]
+
+  void fields(FieldMaker<D>& maker) {
+    maker.make("shift", Keep::scratch, u);
+    maker.make("shift_dv", Keep::scratch, dv);
+    maker.make("shift_drho", Keep::scratch, drho);
+  }
+
+  // Public for nvcc, which takes no lambdas from private functions.
+  static Real fastest(B& backend, const Fluid& fluid) {
+    const auto f = fluid;
+    return Real(std::sqrt(
+        backend.max("shift", f, [=] FRESHET_LAMBDA(int i) { return double(norm2(f.v[i])); })));
+  }
+  /// finish(i, where the neighbours crowd)
+  template <class Finish>
+  void sum_crowd(B& backend, const Fluid& f, const Walls<D>& w, const Finish& finish) const {
+    backend.sum_pairs(
+        "shift", f, over(f, Lind2012Crowd{W, m, W_spacing, f.rho}),
+        over(w.akinci2012, Lind2012WallCrowd{W, m, rho0, W_spacing, w.akinci2012.psi}),
+        over(w.adami2012, Lind2012WallCrowd{W, m, rho0, W_spacing, Field<Real>{}}), finish);
+  }
+  void find_change(B& backend, const Fluid& f) const {
+    const auto dv = this->dv;
+    const auto drho = this->drho;
+    backend.sum_pairs("shift", f, over(f, ShiftedState{W, m, f.rho, f.v, u}),
+                      [=] FRESHET_LAMBDA(int i, const ShiftedRates<D, Real>& sum) {
+                        dv[i] = sum.v;
+                        drho[i] = sum.rho;
+                      });
+  }
+  void move(B& backend, const Fluid& fluid, Real dt) const {
+    const auto f = fluid;
+    const auto u = this->u;
+    const auto dv = this->dv;
+    const auto drho = this->drho;
+    backend.for_each("shift", f, [=] FRESHET_LAMBDA(int i) {
+      f.x[i] += dt * u[i];
+      f.v[i] += dt * dv[i];
+      f.rho[i] += dt * drho[i];
+    });
+  }
+};
+
+/// Near a free surface particles are shifted along it only: where one of the surface is among the
+/// neighbours.
+template <int D, class B, template <int> class Kernel> struct ShiftingAtSurface {
+  using Fluid = FluidParticles<D>;
+  Kernel<D> W;
+  Field<Vec<D>> edge;  ///< scratch: as pairs/lind2012.h has it
+
+  void fields(FieldMaker<D>& maker) { maker.make("shift_edge", Keep::scratch, edge); }
+  /// Takes from shifts u what is across the surface.
+  void keep_along(B& backend, const Fluid& f, Field<Vec<D>> u) const {
+    backend.share("shift", f, edge);
+    backend.sum_pairs("shift", f, over(f, Lind2012Normal{W, edge}),
+                      [=] FRESHET_LAMBDA(int i, Vec<D> normal) {
+                        const Real n2 = norm2(normal);
+                        if (n2 > 0) u[i] += (-dot(u[i], normal) / n2) * normal;
+                      });
+  }
+};
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet
