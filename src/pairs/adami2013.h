@@ -12,12 +12,12 @@ template <int D, class R> struct Adami2013Sums {
   Vec<D, R> push{};   ///< sum_j (V_i^2 + V_j^2) grad W_ij  [m^(D-1)]
   R div_x{};          ///< -sum_j V_j x_ij · grad W_ij: D inside, less at a surface
   Vec<D, R> slope{};  ///< sum_j V_j grad W_ij  [1/m]
-  Vec<D, R> layer{};  ///< the same over walls of one layer
+  Vec<D, R> wall{};   ///< the same over samples of walls
   FRESHET_HD Adami2013Sums& operator+=(const Adami2013Sums& o) {
     push += o.push;
     div_x += o.div_x;
     slope += o.slope;
-    layer += o.layer;
+    wall += o.wall;
     return *this;
   }
 };
@@ -47,8 +47,8 @@ template <int D, template <int> class Kernel> struct Adami2013Background {
 template <int D, template <int> class K, class... A>
 Adami2013Background(K<D>, A...) -> Adami2013Background<D, K>;
 
-/// The same over samples of walls, of the volumes mass_k/rho0, in one layer; of one mass, and in
-/// many, where `mass` has no memory.
+/// The same over samples of walls, of the volumes mass_k/rho0; of one mass where `mass` has no
+/// memory.
 template <int D, template <int> class Kernel> struct Adami2013WallBackground {
   Kernel<D> W;
   Real m, rho0;
@@ -61,7 +61,7 @@ template <int D, template <int> class Kernel> struct Adami2013WallBackground {
   FRESHET_HD Adami2013Sums<D, R> operator()(const Pair<D, R>& ik, const At<R>& i,
                                             const At<R>& k) const {
     auto sums = adami2013_sums(ik.x, W.gradient(ik), i.volume, k.volume);
-    if (mass.data) sums.layer = sums.slope;
+    sums.wall = sums.slope;
     return sums;
   }
 };
@@ -112,35 +112,6 @@ template <int D, template <int> class Kernel> struct Adami2013Transport {
 };
 template <int D, template <int> class K, class... A>
 Adami2013Transport(K<D>, A...) -> Adami2013Transport<D, K>;
-
-/// The same over samples of walls, whose A is zero; a particle that they let come nearer is
-/// compressed: rho_i sum_k V_k (u_i · grad W_ik).
-template <int D, template <int> class Kernel> struct Adami2013WallTransport {
-  Kernel<D> W;
-  Real m, rho0;
-  PerLiquid lightness;
-  Field<Real> rho;
-  Field<Vec<D>> v, u;
-  Field<Real> mass;
-  template <class R> struct At {
-    R volume, rho;
-    Vec<D, R> half_rho_v, u;
-  };
-  template <class R> struct Neighbor { R volume; };
-  FRESHET_HD At<Real> at(int i) const {
-    return {m / rho[i], rho[i], (rho[i] / (2 * lightness[i])) * v[i], u[i]};
-  }
-  FRESHET_HD Neighbor<Real> neighbor(int k) const { return {(mass.data ? mass[k] : m) / rho0}; }
-  template <class R>
-  FRESHET_HD Adami2013Rates<D, R> operator()(const Pair<D, R>& ik, const At<R>& i,
-                                             const Neighbor<R>& k) const {
-    const R along_i = dot(i.u, W.gradient(ik));
-    const R share = (i.volume * i.volume + k.volume * k.volume) / m;
-    return {(share * along_i) * i.half_rho_v, i.rho * k.volume * along_i};
-  }
-};
-template <int D, template <int> class K, class... A>
-Adami2013WallTransport(K<D>, A...) -> Adami2013WallTransport<D, K>;
 
 }  // namespace FRESHET_ISA
 }  // namespace freshet

@@ -14,10 +14,10 @@ inline namespace FRESHET_ISA {
 ///
 ///   1/m sum_j (V_i^2 + V_j^2) (A_i + A_j)/2 · grad W_ij,  A = rho v (v~ - v)
 ///
-/// Walls press as well; their A is zero. Those of one layer could not hold that pressure: what sees
-/// one is moved along it. The paper sums densities. Where the density is kept, it is
-/// that of the flow where the particle has come to, and a wall compresses what comes near. Where
-/// there is no sound, the step is the paper's longest: c0 = h/(4 dt), h half the support.
+/// What sees a wall moves with the flow: pressed by one, particles leave a cavity through its walls
+/// at last. The paper sums densities; where the density is kept, it is that of the flow where the
+/// particle has come to. Where there is no sound, the step is the paper's longest: c0 = h/(4 dt), h
+/// half the support.
 template <int D, class B, template <int> class Kernel> struct Adami2013 final : Shifting<D, B> {
   using typename Shifting<D, B>::Fluid;
   Kernel<D> W;
@@ -38,7 +38,7 @@ template <int D, class B, template <int> class Kernel> struct Adami2013 final : 
     find_transport(backend, f, w, dt);
     surface.keep_along(backend, f, u);
     backend.share("shift", f, u);
-    find_change(backend, f, w, lightness, push);
+    find_change(backend, f, lightness, push);
   }
   void move(B& backend, const Fluid& fluid, Real dt) const override {
     const auto f = fluid;
@@ -60,21 +60,13 @@ template <int D, class B, template <int> class Kernel> struct Adami2013 final : 
         over(w.akinci2012, Adami2013WallBackground{W, m, rho0, f.rho, w.akinci2012.psi}),
         over(w.adami2012, Adami2013WallBackground{W, m, rho0, f.rho, Field<Real>{}}),
         [=] FRESHET_LAMBDA(int i, const Adami2013Sums<D, Real>& sum) {
-          const Real layer2 = norm2(sum.layer);
-          u[i] = factor * sum.push;
-          if (layer2 > 0) u[i] += (-dot(u[i], sum.layer) / layer2) * sum.layer;
+          u[i] = norm2(sum.wall) > 0 ? Vec<D>{} : factor * sum.push;
           edge[i] = sum.div_x < inside ? sum.slope : Vec<D>{};
         });
   }
-  void find_change(B& backend, const Fluid& f, const Walls<D>& w, PerLiquid lightness,
-                   Field<Vec<D>> push) const {
+  void find_change(B& backend, const Fluid& f, PerLiquid lightness, Field<Vec<D>> push) const {
     const auto drho = this->drho;
-    const auto on_walls = [&](Field<Real> mass) {
-      return Adami2013WallTransport{W, m, rho0, lightness, f.rho, f.v, u, mass};
-    };
     backend.sum_pairs("shift", f, over(f, Adami2013Transport{W, m, lightness, f.rho, f.v, u}),
-                      over(w.akinci2012, on_walls(w.akinci2012.psi)),
-                      over(w.adami2012, on_walls(Field<Real>{})),
                       [=] FRESHET_LAMBDA(int i, const Adami2013Rates<D, Real>& sum) {
                         push[i] += lightness[i] * sum.a;
                         drho[i] = sum.rho;
