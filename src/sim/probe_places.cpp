@@ -62,7 +62,7 @@ Vec<3, double> in_3d(const Vector& x) { return {x[0], x[1], x.size() > 2 ? x[2] 
 
 }  // namespace
 
-ProbePlaces::ProbePlaces(const Scene& scene) : scene_(scene) {
+ProbePlaces::ProbePlaces(const Scene& scene) {
   for (const Scene::Probe& p : scene.probe) {
     start_.push_back(places_of(scene, p));
     carriers_.emplace_back();

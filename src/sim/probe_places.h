@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "core/vec.h"
@@ -10,7 +11,6 @@ namespace freshet {
 /// Where the scene's probes ask, by probe.
 class ProbePlaces {
  public:
-  /// Keeps a reference to the scene.
   explicit ProbePlaces(const Scene& scene);
   const std::vector<std::vector<Vector>>& at_the_start() const { return start_; }
   /// Whether bodies carry any of them.
@@ -23,7 +23,6 @@ class ProbePlaces {
     std::size_t body;
     Vec<3, double> center;  ///< at the start [m]
   };
-  const Scene& scene_;
   std::vector<std::vector<Vector>> start_;
   std::vector<std::optional<Carrier>> carriers_;  ///< by probe
 };

@@ -89,7 +89,7 @@ void extrapolate(B& backend, const char* name, const AdamiWall<D>& wall, const F
   const auto u = wall.u;
   backend.sum_pairs(name, wall, over(f, Adami2012Extrapolation{W, c.gravity, c.liquids, f, wall.a}),
                     [=] FRESHET_LAMBDA(int w, const Adami2012Sums<D, Real>& sum) {
-                      const bool wet = sum.W > 0;
+                      const bool wet = sum.W > Real(1e-37f);  // 1/W is finite
                       p[w] = wet ? max((sum.p + sum.rho_x) / sum.W, Real(0)) : 0;
                       v[w] = wet ? 2 * (slide[w] + u[w]) - Real(1) / sum.W * sum.v : Vec<D>{};
                     });

@@ -206,6 +206,21 @@ TEST_P(LayeredBodies, Float) {
   EXPECT_NEAR(0, sim.bodies()[0].orientation[2], 0.02) << "it lies level";
 }
 
+// Samples a support away from water see it by next to nothing, (1 - r/support)^6.
+TEST_P(LayeredBodies, BearAKernelThatNearlyEnds) {
+  Simulation sim = simulation_of(
+      std::string(
+          "[domain]\nmax = [1.2, 0.9]\n[particles]\nspacing = 0.02\nsupport_radius = 0.1\n"
+          "[fluid]\nmin = [0, 0]\nmax = [1.2, 0.5]\npressure = \"hydrostatic\"\n"
+          "[body]\nmin = [0.4, 0.42]\nmax = [0.8, 0.62]\nmotion = \"free\"\n"
+          "density = 500\nslip = \"free_slip\"\n[walls]\nmethod = \"adami2012\"\nslip = "
+          "\"free_slip\"\n[solver]\nkernel = \"wendland_c4\"\nsound_speed = 31\nname = \"") +
+      GetParam().solver + "\"\n[time]\nend = 0.02\nstep = 3e-4\n");
+  while (!sim.finished()) sim.step();
+  for (const Real x : sim.fluid().x) ASSERT_TRUE(std::isfinite(double(x)));
+  EXPECT_LT(sim.statistics().speed_max, 1);
+}
+
 // A tank under gravity, and one that is lifted without: water cannot tell.
 TEST_P(LayeredBodies, LiftWaterAsIfItWereHeavy) {
   if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
