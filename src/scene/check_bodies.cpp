@@ -2,7 +2,6 @@
 /// Rigid bodies and joints: what each kind of motion needs, and where they stand.
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "scene/body_motion.h"
 #include "scene/body_shape.h"
@@ -62,23 +61,6 @@ bool check_solver(const Scene& s, Findings& out) {
   for (std::size_t k = 0; k < s.wall.size(); ++k)
     if (!refuse(s.wall_method(k), fmt::format("wall[{}].method", k))) return false;
   return true;
-}
-
-void check_names(const Scene& s, Findings& out) {
-  std::set<std::string> taken;
-  for (std::size_t k = 0; k < s.body.size(); ++k) {
-    const std::string name = s.body_name(k), key = at_body(k) + "name";
-    const bool plain = std::none_of(name.begin(), name.end(), [](unsigned char c) {
-      return c < ' ' || c == 0x7F || c == ',' || c == '"';
-    });
-    if (!plain)
-      out.error(key,
-                "body.name holds a comma, a quote or a control character, which a table cannot; "
-                "use letters, digits and _");
-    else if (!taken.insert(name).second)
-      out.error(key,
-                fmt::format("body.name is \"{}\", which another body has; give it another", name));
-  }
 }
 
 /// Keys that a motion does not read.
@@ -375,18 +357,6 @@ bool check_joint(const Scene& s, std::size_t k, Findings& out) {
 
 }  // namespace
 
-const Scene::Body* find_body(const Scene& s, const std::string& name, const std::string& at,
-                             const std::string& key, Findings& out) {
-  std::string names;
-  for (std::size_t b = 0; b < s.body.size(); ++b) {
-    if (s.body_name(b) == name) return &s.body[b];
-    names += (b ? ", " : "") + s.body_name(b);
-  }
-  out.error(at, fmt::format("{} is \"{}\", and no body is called that; {}", key, name,
-                            names.empty() ? "there is none" : "there are: " + names));
-  return nullptr;
-}
-
 bool check_bodies(const Scene& s, Findings& out) {
   if (s.body.size() > most_bodies) {
     out.error("body", fmt::format("there are {} bodies; at most {} are allowed", s.body.size(),
@@ -394,7 +364,7 @@ bool check_bodies(const Scene& s, Findings& out) {
     return false;
   }
   bool good = s.body.empty() || check_solver(s, out);
-  check_names(s, out);
+  check_body_names(s, out);
   for (std::size_t k = 0; k < s.body.size(); ++k) good &= check_body(s, k, out);
   for (std::size_t k = 0; k < s.joint.size(); ++k) good &= check_joint(s, k, out);
   if (!good || s.body.empty()) return good;

@@ -68,6 +68,7 @@ bool check_flows(const Scene& scene, bool walls_are_good, Findings& out);
 /// False where a body is not one that samples can be taken of.
 bool check_bodies(const Scene& scene, Findings& out);
 
+void check_body_names(const Scene& scene, Findings& out);
 /// The body of that name; none, told of at the key, where there is none.
 const Scene::Body* find_body(const Scene& scene, const std::string& name, const std::string& at,
                              const std::string& key, Findings& out);
