@@ -32,7 +32,7 @@ enum class Slip { free_slip, no_slip };
 enum class BackendName { cpu, reference };
 enum class Search { grid, all_pairs };
 enum class Dots { glow, solid };
-enum class ProbeKind { point, line, plane, surface };
+enum class ProbeKind { point, line, plane, surface, wall };
 enum class ColorBy {
   speed,
   velocity_x,
@@ -226,7 +226,7 @@ struct Scene {
     std::string name;  // of its table, probes/NAME.csv; "probe_k" if empty
     ProbeKind kind = ProbeKind::point;
     Vector at;                    // point
-    Vector from, to;              // line, surface; plane: opposite corners
+    Vector from, to;              // line, surface; plane, wall: opposite corners
     std::int64_t count = 2;       // line: places, both ends included
     std::optional<double> apart;  // [m]; plane: its places; the particles' spacing if not given
     std::string body;             // that carries it; none if empty

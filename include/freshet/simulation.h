@@ -26,6 +26,13 @@ struct ParticleView {
   std::size_t size() const { return id.size(); }
 };
 
+/// A rectangle of a wall, in 2D a stretch of it.
+struct WallPatch {
+  Vector center;             ///< [m]
+  Vector half;               ///< half its lengths along its axes, 0 across it [m]
+  std::vector<Vector> axes;  ///< D unit vectors at right angles
+};
+
 /// How the cpu backend computes. The results are the same bits, whatever is chosen.
 struct Execution {
   int threads = 0;  ///< 0: as many as the machine has
@@ -69,6 +76,10 @@ class Simulation {
   /// The force of the fluid on each wall, in the order of Scene::wall_names() [N; N/m in 2D]:
   /// reflecting walls the mean since the last call, others the present one.
   std::vector<Vector> wall_forces();
+  /// The force of the fluid on each patch now, over its area, along its axes [Pa; N/m in 2D]: that
+  /// on the samples of walls and bodies within a support of it, each for as much of its cell as the
+  /// patch covers. Nothing of walls that have no samples.
+  std::vector<Vector> tractions(const std::vector<WallPatch>& patches);
   /// What inlets brought, outlets took and counters saw, in the order of Scene::flow_names(); rates
   /// are the mean since the last call.
   std::vector<Flow> flows();

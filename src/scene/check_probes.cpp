@@ -5,6 +5,7 @@
 #include "scene/findings.h"
 #include "scene/keys.h"
 #include "scene/probe_plane.h"
+#include "scene/sample_walls.h"
 #include "scene/setup.h"
 
 namespace freshet {
@@ -54,24 +55,53 @@ void check_vectors(const Scene& s, const Scene::Probe& p, const std::string& at,
                fmt::format("a {} is no plane; remove it, or choose kind = \"plane\"", kind));
 }
 
+/// Corners that differ along so many axes.
+bool check_corners(const Scene& s, const Scene::Probe& p, std::size_t wanted, const std::string& at,
+                   Findings& out) {
+  const auto n = std::size_t(s.dimension());
+  if (p.from.size() != n || p.to.size() != n || p.from == p.to) return false;  // told of already
+  std::size_t axes = 0;
+  for (std::size_t d = 0; d < n; ++d) axes += p.from[d] != p.to[d];
+  if (axes == wanted) return true;
+  out.error(at + "to", fmt::format("probe.to differs from probe.from along {} {}; {} differ along "
+                                   "{}",
+                                   axes, axes == 1 ? "axis" : "axes",
+                                   p.kind == ProbeKind::plane ? "opposite corners of a plane"
+                                   : n == 2                   ? "the ends of a stretch of wall"
+                                            : "opposite corners of a piece of wall",
+                                   wanted == 1 ? "one" : "two"));
+  return false;
+}
+
 /// A rectangle of not too many places.
 void check_plane(const Scene& s, const Scene::Probe& p, const std::string& at, Findings& out) {
-  const auto n = std::size_t(s.dimension());
-  if (p.from.size() != n || p.to.size() != n || p.from == p.to) return;  // is told of already
-  std::size_t axes = 0;
+  if (!check_corners(s, p, 2, at, out)) return;
   double places = 1;
-  for (std::size_t d = 0; d < n; ++d) {
-    axes += p.from[d] != p.to[d];
-    places *= 1 + double(steps_of_plane(s, p, d));
-  }
-  if (axes != 2)
-    out.error(at + "to", fmt::format("probe.to differs from probe.from along {} {}; opposite "
-                                     "corners of a plane differ along two",
-                                     axes, axes == 1 ? "axis" : "axes"));
-  else if (places > most_places)
+  for (std::size_t d = 0; d < p.from.size(); ++d) places *= 1 + double(steps_of_plane(s, p, d));
+  if (places > most_places)
     out.error(at + "to", fmt::format("the plane has {:.3g} places; at most {} are allowed; make "
                                      "probe.apart larger",
                                      places, most_places));
+}
+
+bool has_samples(const Scene& s) {
+  const auto sampled = [&](WallMethod m) { return wall_layers(s, m) > 0; };
+  bool any = !s.body.empty();
+  for (int side = 0; side < 2 * s.dimension(); ++side) any = any || sampled(s.side_method(side));
+  for (std::size_t k = 0; k < s.wall.size(); ++k) any = any || sampled(s.wall_method(k));
+  return any;
+}
+
+/// A piece of a wall, and a wall that is asked by its samples.
+void check_wall(const Scene& s, const Scene::Probe& p, const std::string& at, Findings& out) {
+  if (!check_corners(s, p, std::size_t(s.dimension() - 1), at, out)) return;
+  if (!has_samples(s))
+    out.error(at + "kind",
+              fmt::format("probe.kind is \"wall\", which asks the samples of walls, and "
+                          "no wall has any; choose {}, or another kind",
+                          s.solver.name == SolverName::mueller2003
+                              ? "another solver.name than mueller2003"
+                              : "walls.method = \"akinci2012\""));
 }
 
 }  // namespace
@@ -87,6 +117,7 @@ void check_probes(const Scene& s, Findings& out) {
     const std::string at = fmt::format("probe[{}].", k);
     check_vectors(s, p, at, out);
     if (p.kind == ProbeKind::plane) check_plane(s, p, at, out);
+    if (p.kind == ProbeKind::wall) check_wall(s, p, at, out);
     if (!p.body.empty()) find_body(s, p.body, at + "body", "probe.body", out);
     if (p.count > most_places)
       out.error(at + "count", fmt::format("probe.count is {}; at most {} places are allowed",

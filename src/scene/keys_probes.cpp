@@ -10,10 +10,13 @@ void probe_keys(KeyVisitor& v, Scene::Probe& p) {
             .text = "`point`: the share of fluid, velocity, density and pressure `at` a place; "
                     "`line`: at `count` places; `plane`: at places of a rectangle along the axes; "
                     "`surface`: how far along a line the fluid reaches, which upwards is the "
-                    "water's height and along the floor its front"});
+                    "water's height and along the floor its front; `wall`: the traction, the force "
+                    "of the fluid over the area, of a rectangle of a wall along the axes, in 2D of "
+                    "a stretch of it, whose part across is the pressure on the wall"});
   v.vector("at", p.at, {.unit = "m", .text = "place of a point", .fallback = "none"});
-  v.vector("from", p.from,
-           {.unit = "m", .text = "where a line begins; a corner of a plane", .fallback = "none"});
+  v.vector(
+      "from", p.from,
+      {.unit = "m", .text = "where a line begins; a corner of a rectangle", .fallback = "none"});
   v.vector("to", p.to,
            {.unit = "m", .text = "where it ends; the opposite corner", .fallback = "none"});
   v.integer("count", p.count,

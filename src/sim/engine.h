@@ -36,6 +36,8 @@ class Engine {
   /// The force of the fluid on each wall in the order of Scene::wall_names() [N, N/m in 2D]:
   /// reflecting walls the mean over `interval` [s], the time since the last call; others now.
   virtual std::vector<Vector> wall_forces(double interval) = 0;
+  /// See Simulation::tractions; `cell` is how wide a sample's share of the wall is [m].
+  virtual std::vector<Vector> tractions(const std::vector<WallPatch>& patches, double cell) = 0;
   virtual const std::vector<VerbTiming>& timings() const = 0;
   /// All that the next steps follow from, besides the scene. What is written there is restored,
   /// once continue_from has told how many steps were taken.

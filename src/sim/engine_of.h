@@ -5,7 +5,6 @@
 #include <array>
 #include <bit>
 #include <cstring>
-#include <functional>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -18,6 +17,7 @@
 #include "sim/engine.h"
 #include "sim/engines/make_forces.h"
 #include "sim/flows.h"
+#include "sim/state_arrays.h"
 #include "sim/wall_forces.h"
 #include "solvers/integrators.h"
 
@@ -132,42 +132,23 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
     return bodies_ ? bodies_->bodies().states() : std::vector<BodyState>();
   }
   const std::vector<VerbTiming>& timings() const override { return backend_.timings(); }
-  std::vector<StateArray> state() override {
-    std::vector<StateArray> all;
-    for (const auto& array : state_) all.push_back(array());
-    return all;
-  }
+  std::vector<StateArray> state() override { return state_.arrays(); }
   void continue_from(std::int64_t steps) override { steps_ = steps; }
 
   std::vector<Vector> wall_forces(double interval) override {
-    if (std::exchange(searched_for_others_, false)) {
-      backend_.find_neighbors("wall forces", support(), fluid_);
-      backend_.share("wall forces", fluid_, fluid_.rho, fluid_.p);
-    }
     WallForces<D> forces(std::size_t(wall_count_), double(solver_.c.m));
-    if constexpr (requires { solver_.akinci2012_forces(fluid_, walls_.akinci2012); }) {
-      const Real h = solver_.c.support;
-      auto akinci2012 = walls_.akinci2012;
-      auto adami2012 = walls_.adami2012;
-      akinci2012.moves = adami2012.moves = false;  // as they were found
-      forces.add(backend_, h, akinci2012, fluid_, solver_.akinci2012_forces(fluid_, akinci2012));
-      if constexpr (iterates)
-        forces.add(backend_, h, akinci2012, fluid_,
-                   solver_.akinci2012_friction(fluid_, akinci2012));
-      else forces.add(backend_, h, adami2012, fluid_, solver_.adami2012_forces(fluid_, adami2012));
-      forces.add(backend_, h, walls_.monaghan2009, fluid_,
-                 solver_.monaghan2009_forces(fluid_, walls_));
-    }
-    if constexpr (iterates) backend_.share("wall forces", fluid_, fluid_.k, fluid_.rho, fluid_.v);
-    forces.add_ghosts(backend_, fluid_, solver_.fluid_forces(fluid_), copy_walls_, copy_force_);
-    if constexpr (iterates)
-      forces.add_ghosts(backend_, fluid_, solver_.fluid_friction(fluid_), copy_walls_, copy_force_);
-    if (forces_)
-      forces_->add_wall_forces(backend_, fluid_, walls_, copy_walls_, copy_force_, forces);
+    add_wall_forces(forces, copy_walls_);
     forces.add_bounces(backend_, fluid_, solver_.c.liquids, solver_.c.confine, reflector_walls_,
                        interval);
     std::fill(bounced_.begin(), bounced_.end(), Vec<D, double>{});
     return forces.list();
+  }
+  std::vector<Vector> tractions(const std::vector<WallPatch>& patches, double cell) override {
+    std::vector<PatchOnWall<D>> all;
+    for (const WallPatch& patch : patches) all.emplace_back(patch, cell, double(support()));
+    WallForces<D> forces(std::move(all), double(solver_.c.m));
+    add_wall_forces(forces, {});
+    return forces.tractions();
   }
 
  private:
@@ -182,6 +163,32 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
     }
     EngineOf& engine;
   };
+  /// All but bounces; on mirror images of these walls.
+  void add_wall_forces(WallForces<D>& forces, const std::vector<int>& copy_walls) {
+    if (std::exchange(searched_for_others_, false)) {
+      backend_.find_neighbors("wall forces", support(), fluid_);
+      backend_.share("wall forces", fluid_, fluid_.rho, fluid_.p);
+    }
+    if constexpr (requires { solver_.akinci2012_forces(fluid_, walls_.akinci2012); }) {
+      const Real h = solver_.c.support;
+      auto akinci2012 = walls_.akinci2012;
+      auto adami2012 = walls_.adami2012;
+      akinci2012.moves = adami2012.moves = false;  // as they were found
+      forces.add(backend_, h, akinci2012, fluid_, solver_.akinci2012_forces(fluid_, akinci2012));
+      if constexpr (iterates)
+        forces.add(backend_, h, akinci2012, fluid_,
+                   solver_.akinci2012_friction(fluid_, akinci2012));
+      else forces.add(backend_, h, adami2012, fluid_, solver_.adami2012_forces(fluid_, adami2012));
+      forces.add(backend_, h, walls_.monaghan2009, fluid_,
+                 solver_.monaghan2009_forces(fluid_, walls_));
+    }
+    if constexpr (iterates) backend_.share("wall forces", fluid_, fluid_.k, fluid_.rho, fluid_.v);
+    forces.add_ghosts(backend_, fluid_, solver_.fluid_forces(fluid_), copy_walls, copy_force_);
+    if constexpr (iterates)
+      forces.add_ghosts(backend_, fluid_, solver_.fluid_friction(fluid_), copy_walls, copy_force_);
+    if (forces_)
+      forces_->add_wall_forces(backend_, fluid_, walls_, copy_walls, copy_force_, forces);
+  }
   /// The solver's solves and that of the forces, if they solve for anything. (A vector that grows
   /// would be a function that the instruction sets share.)
   template <std::size_t n>
@@ -203,7 +210,7 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
     backend_.allocate(set, shown && flows_.change_particles() ? Keep::kept : keep, field);
     if (set.moves && field.data == static_cast<void*>(set.x.data)) return;  // as bodies have it
     if (kept || shown)
-      remember(
+      state_.add(
           std::string(set_name) + "/" + name, [&field] { return field.data; },
           [&set] { return std::int64_t(set.n); },
           !fluid ? Role::fixed
@@ -214,31 +221,12 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
   static bool shown_between_steps(std::string_view name) {
     return name == "rho" || name == "p" || name == "a";
   }
-  /// data() and count() tell where an array is, whenever it is asked for.
-  template <class Data, class Count>
-  void remember(std::string name, Data data, Count count, StateArray::Role role) {
-    using Number = StateArray::Number;
-    using T = std::remove_pointer_t<decltype(data())>;
-    using Scalar = decltype(scalar_of(T{}));
-    constexpr Number number = std::is_same_v<Scalar, float>    ? Number::float32
-                              : std::is_same_v<Scalar, double> ? Number::float64
-                              : sizeof(Scalar) == 4            ? Number::int32
-                                                               : Number::uint64;
-    state_.push_back([=, name = std::move(name)] {
-      return StateArray{name,    reinterpret_cast<std::byte*>(data()),
-                        count(), int(sizeof(T) / sizeof(Scalar)),
-                        number,  role};
-    });
-  }
-  template <class T> static T scalar_of(T);
-  template <class R> static R scalar_of(Vec<D, R>);
-
   /// The memory of what keeps particles in place.
   void confine() {
     Confinement<D>& c = solver_.c.confine;
     c.shapes.data = reflectors_.data();
     c.shape_count = int(reflectors_.size());
-    remember(
+    state_.add(
         "fluid/bounced", [this] { return bounced_.data(); },
         [this] { return std::int64_t(bounced_.size()); }, StateArray::Role::other);
     make_room_for_bounces();
@@ -284,7 +272,7 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
     flows_.numbers([this](const std::string& name, auto* data, std::size_t count) {
       using Number =
           std::conditional_t<std::is_same_v<decltype(data), double*>, double, std::uint64_t>;
-      this->remember(
+      this->state_.add(
           name, [=] { return reinterpret_cast<Number*>(data); },
           [=] { return std::int64_t(count); }, StateArray::Role::other);
     });
@@ -350,14 +338,6 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
       remember_bodies();
     }
   }
-  /// Records that are nothing but doubles.
-  template <class Record> void remember_numbers(const char* name, std::vector<Record>& records) {
-    auto* all = &records;
-    remember(
-        name, [=] { return reinterpret_cast<double*>(all->data()); },
-        [=] { return std::int64_t(all->size() * sizeof(Record) / sizeof(double)); },
-        StateArray::Role::other);
-  }
   static ForceMoment moment_of_forces(const Scene& s) {
     if (s.solver.incompressible()) return {s.solver.name == SolverName::pbf ? 1.0 : 0.0, false};
     const Integrator integrator = s.integrator();
@@ -393,9 +373,9 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
     backend_.allocate(fluid_, Keep::scratch, walls_.rate);
     auto& states = bodies_->bodies().states();
     static_assert(sizeof(BodyState) == 19 * sizeof(double));
-    remember_numbers("bodies/state", states);
+    state_.add_numbers("bodies/state", states);
     auto& forces = bodies_->bodies().last_forces();
-    remember_numbers("bodies/forces", forces);
+    state_.add_numbers("bodies/forces", forces);
   }
 
   static constexpr bool iterates = !std::is_void_v<decltype(std::declval<Solver>().step(
@@ -415,7 +395,7 @@ template <int D, class Solver, class Backend> class EngineOf final : public Engi
   std::vector<int> reflector_walls_, copy_walls_;  // places of their names
   Field<Vec<D>> copy_force_;
   int wall_count_ = 0;
-  std::vector<std::function<StateArray()>> state_;
+  StateArrays<D> state_;
   mutable std::vector<Real> density_;  // of several liquids
   bool searched_for_others_ = false;   // particles came or went since the last search
   std::int64_t steps_ = 0;

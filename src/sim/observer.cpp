@@ -155,7 +155,7 @@ void Observer::probe(const StepTaken& step) {
   std::vector<std::string> lines;
   for (std::size_t k = 0; k < probes_.size(); ++k) {
     if (!schedule_.probe_after(k, step)) continue;
-    if (lines.empty()) lines = probes_.look(sim_.time(), sim_.fluid(), sim_.bodies());
+    if (lines.empty()) lines = probes_.look(sim_);
     record_.probes[k] += lines[k];
   }
 }

@@ -48,6 +48,8 @@ std::vector<Vector> places_of(const Scene& s, const Scene::Probe& p) {
       return along_line(p, p.count);
     case ProbeKind::plane:
       return in_plane(s, p);
+    case ProbeKind::wall:
+      return {};
     case ProbeKind::surface:
       break;
   }
@@ -58,11 +60,28 @@ std::vector<Vector> places_of(const Scene& s, const Scene::Probe& p) {
                                                   surface_places_per_spacing)));
 }
 
+WallPatch patch_of(const Scene::Probe& p) {
+  const std::size_t n = p.from.size();
+  WallPatch patch{p.from, p.from, std::vector<Vector>(n, Vector(n, 0.0))};
+  for (std::size_t d = 0; d < n; ++d) {
+    patch.center[d] = (p.from[d] + p.to[d]) / 2;
+    patch.half[d] = std::abs(p.to[d] - p.from[d]) / 2;
+    patch.axes[d][d] = 1;
+  }
+  return patch;
+}
+
 Vec<3, double> in_3d(const Vector& x) { return {x[0], x[1], x.size() > 2 ? x[2] : 0}; }
+
+Vector in_scene(Vec<3, double> x, std::size_t dimension) {
+  Vector all{x.x, x.y, x.z};
+  all.resize(dimension);
+  return all;
+}
 
 }  // namespace
 
-ProbePlaces::ProbePlaces(const Scene& scene) {
+ProbePlaces::ProbePlaces(const Scene& scene) : scene_(scene) {
   for (const Scene::Probe& p : scene.probe) {
     start_.push_back(places_of(scene, p));
     carriers_.emplace_back();
@@ -76,19 +95,33 @@ bool ProbePlaces::move() const {
   return std::any_of(carriers_.begin(), carriers_.end(), [](const auto& c) { return bool(c); });
 }
 
+Vector ProbePlaces::carried(const Carrier& by, const std::vector<BodyState>& bodies,
+                            const Vector& place) {
+  const BodyState& body = bodies[by.body];
+  const Vec<3, double> position{body.position[0], body.position[1], body.position[2]};
+  return in_scene(position + Rotation(body.orientation)(in_3d(place) - by.center), place.size());
+}
+
 std::vector<std::vector<Vector>> ProbePlaces::now(const std::vector<BodyState>& bodies) const {
   auto places = start_;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    if (!carriers_[k]) continue;
-    const BodyState& body = bodies[carriers_[k]->body];
-    const Rotation turn(body.orientation);
-    for (Vector& place : places[k]) {
-      Vec<3, double> arm = turn(in_3d(place) - carriers_[k]->center);
-      for (std::size_t d = 0; d < place.size(); ++d)
-        place[d] = body.position[d] + component(arm, int(d));
-    }
-  }
+  for (std::size_t k = 0; k < places.size(); ++k)
+    if (carriers_[k])
+      for (Vector& place : places[k]) place = carried(*carriers_[k], bodies, place);
   return places;
+}
+
+std::vector<WallPatch> ProbePlaces::patches(const std::vector<BodyState>& bodies) const {
+  std::vector<WallPatch> all;
+  for (std::size_t k = 0; k < scene_.probe.size(); ++k) {
+    if (scene_.probe[k].kind != ProbeKind::wall) continue;
+    all.push_back(patch_of(scene_.probe[k]));
+    if (!carriers_[k]) continue;
+    WallPatch& patch = all.back();
+    patch.center = carried(*carriers_[k], bodies, patch.center);
+    const Rotation turn(bodies[carriers_[k]->body].orientation);
+    for (Vector& axis : patch.axes) axis = in_scene(turn(in_3d(axis)), axis.size());
+  }
+  return all;
 }
 
 }  // namespace freshet

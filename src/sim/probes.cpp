@@ -150,6 +150,25 @@ double reach(const Scene::Probe& p, const std::vector<Reading>& readings) {
   return 0;
 }
 
+std::string traction_line(double time, const Vector& traction) {
+  std::string line = fmt::format("{:.9g}", time);
+  for (const double t : traction) line += "," + number(t);
+  return line + "\n";
+}
+
+std::string field_lines(double time, const std::vector<Vector>& at,
+                        const std::vector<Reading>& readings) {
+  std::string lines;
+  for (std::size_t n = 0; n < readings.size(); ++n) {
+    lines += fmt::format("{:.9g}", time);
+    for (const double x : at[n]) lines += fmt::format(",{:.9g}", x);
+    lines += fmt::format(",{:.9g}", readings[n].fraction);
+    for (std::size_t d = 0; d < at[n].size(); ++d) lines += "," + number(readings[n].velocity[d]);
+    lines += "," + number(readings[n].density) + "," + number(readings[n].pressure) + "\n";
+  }
+  return lines;
+}
+
 }  // namespace
 
 struct Probes::Parts {
@@ -174,35 +193,36 @@ std::string Probes::header(std::size_t k) const {
   const bool flat = s.dimension() == 2;
   std::string line = "time [s]";
   if (s.probe[k].kind == ProbeKind::surface) return line + ",distance [m]\n";
+  if (s.probe[k].kind == ProbeKind::wall) {
+    for (int d = 0; d < s.dimension(); ++d)
+      line += fmt::format(",traction {} [{}]", axis_names[d], flat ? "N/m" : "Pa");
+    return line + "\n";
+  }
   for (int d = 0; d < s.dimension(); ++d) line += fmt::format(",{} [m]", axis_names[d]);
   line += ",fraction";
   for (int d = 0; d < s.dimension(); ++d) line += fmt::format(",velocity {} [m/s]", axis_names[d]);
   return line + (flat ? ",density [kg/m^2],pressure [N/m]\n" : ",density [kg/m^3],pressure [Pa]\n");
 }
 
-std::vector<std::string> Probes::look(double time, const ParticleView& fluid,
-                                      const std::vector<BodyState>& bodies) {
+std::vector<std::string> Probes::look(Simulation& sim) {
+  const double time = sim.time();
+  const auto bodies = sim.bodies();
   const auto at = parts_->places.now(bodies);
   if (parts_->places.move()) parts_->reader->stand_at(at);
-  const auto readings = parts_->reader->read(fluid);
+  const auto readings = parts_->reader->read(sim.fluid());
+  const auto patches = parts_->places.patches(bodies);
+  const auto tractions = patches.empty() ? std::vector<Vector>() : sim.tractions(patches);
   std::vector<std::string> tables;
   auto from = readings.begin();
+  auto traction = tractions.begin();
   for (std::size_t k = 0; k < size(); ++k) {
     const std::vector<Reading> own(from, from + std::ptrdiff_t(at[k].size()));
     from += std::ptrdiff_t(at[k].size());
-    std::string lines;
-    if (parts_->scene.probe[k].kind == ProbeKind::surface) {
-      lines = fmt::format("{:.9g},{:.9g}\n", time, reach(parts_->scene.probe[k], own));
-    } else {
-      for (std::size_t n = 0; n < own.size(); ++n) {
-        lines += fmt::format("{:.9g}", time);
-        for (const double x : at[k][n]) lines += fmt::format(",{:.9g}", x);
-        lines += fmt::format(",{:.9g}", own[n].fraction);
-        for (std::size_t d = 0; d < at[k][n].size(); ++d) lines += "," + number(own[n].velocity[d]);
-        lines += "," + number(own[n].density) + "," + number(own[n].pressure) + "\n";
-      }
-    }
-    tables.push_back(std::move(lines));
+    const Scene::Probe& probe = parts_->scene.probe[k];
+    if (probe.kind == ProbeKind::wall) tables.push_back(traction_line(time, *traction++));
+    else if (probe.kind == ProbeKind::surface)
+      tables.push_back(fmt::format("{:.9g},{:.9g}\n", time, reach(probe, own)));
+    else tables.push_back(field_lines(time, at[k], own));
   }
   return tables;
 }

@@ -16,6 +16,7 @@ namespace freshet {
 ///   fraction   sum_j V W(r - x_j) over the kernel's lattice sum: 1 inside, about 1/2 at a surface
 ///   a field q  sum_j q_j W / sum_j W  [Shepard 1968], no number where the fraction is below 0.05
 ///   surface    how far from `from` towards `to` the furthest place with a fraction of 1/2 is
+///   wall       Simulation::tractions of the rectangle; what a body carries along the body's axes
 ///
 /// A place's sum runs in the order of the particles' ids: the same bits on every backend.
 class Probes {
@@ -28,9 +29,8 @@ class Probes {
   std::size_t size() const;
   /// The line of names of the k-th probe's table.
   std::string header(std::size_t k) const;
-  /// What each probe tells at this time [s], as lines of its table.
-  std::vector<std::string> look(double time, const ParticleView& fluid,
-                                const std::vector<BodyState>& bodies);
+  /// What each probe tells of the simulation now, as lines of its table.
+  std::vector<std::string> look(Simulation& sim);
 
  private:
   struct Parts;

@@ -201,6 +201,10 @@ std::vector<Vector> Simulation::wall_forces() {
   return impl_->engine->wall_forces(impl_->time - std::exchange(impl_->forces_asked, impl_->time));
 }
 
+std::vector<Vector> Simulation::tractions(const std::vector<WallPatch>& patches) {
+  return impl_->engine->tractions(patches, impl_->scene.particles.spacing);
+}
+
 std::vector<Flow> Simulation::flows() {
   Impl& i = *impl_;
   const Scene& s = i.scene;

@@ -10,6 +10,7 @@
 #include "freshet/scene.h"
 #include "pairs/mueller2003_forces.h"
 #include "pairs/reaction.h"
+#include "sim/wall_patch.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
@@ -26,7 +27,18 @@ template <int D> class WallForces {
  public:
   /// m: the mass of a particle of the densest liquid [kg]; accelerations are as if of it.
   WallForces(std::size_t walls, double m) : m_(m), force_(walls, Vector(std::size_t(D), 0.0)) {}
+  /// Of nothing but these patches.
+  WallForces(std::vector<PatchOnWall<D>> patches, double m)
+      : m_(m),
+        patches_(std::move(patches)),
+        on_patch_(patches_.size(), Vector(std::size_t(D), 0.0)) {}
   const std::vector<Vector>& list() const { return force_; }
+  /// Along the axes of each patch, over its area; once.
+  const std::vector<Vector>& tractions() {
+    for (std::size_t p = 0; p < on_patch_.size(); ++p)
+      for (double& a : on_patch_[p]) a /= patches_[p].area();
+    return on_patch_;
+  }
 
   /// On samples: the reaction of the term by which they act.
   template <class B, class Wall, class Fluid, class Term>
@@ -42,6 +54,11 @@ template <int D> class WallForces {
           Vec<D> f_k = force[k];
           return number[k] == w ? double(component(f_k, d)) : 0.0;
         });
+    for (std::size_t p = 0; p < patches_.size(); ++p)
+      for (int d = 0; d < D; ++d)
+        on_patch_[p][std::size_t(d)] +=
+            m_ * backend.sum("wall forces", wall,
+                             ForceOnPatch<D>{patches_[p], patches_[p].axis[d], wall.x, force});
   }
 
   /// On ghost walls: against what their mirror images do. An image in a corner counts for the wall
@@ -88,6 +105,8 @@ template <int D> class WallForces {
  private:
   double m_;
   std::vector<Vector> force_;
+  std::vector<PatchOnWall<D>> patches_;
+  std::vector<Vector> on_patch_;
 };
 
 }  // namespace FRESHET_ISA

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "core/vec.h"
+#include "freshet/simulation.h"
+#include "scene/solid_of.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+/// A patch of a wall as sums over samples take it.
+template <int D> struct PatchOnWall {
+  Vec<D, double> center, axis[D];
+  double half[D];
+  double cell, reach;  ///< how wide a sample's share of the wall is; how far samples stand off [m]
+
+  PatchOnWall(const WallPatch& patch, double sample_cell, double support)
+      : center(vec_of<D>(patch.center)), cell(sample_cell), reach(support) {
+    for (int d = 0; d < D; ++d) {
+      axis[d] = vec_of<D>(patch.axes[std::size_t(d)]);
+      half[d] = patch.half[std::size_t(d)];
+    }
+  }
+  double area() const {
+    double all = 1;
+    for (int d = 0; d < D; ++d) all *= half[d] > 0 ? 2 * half[d] : 1;
+    return all;
+  }
+  /// How much of the cell of a sample at x the patch covers, 0 to 1.
+  FRESHET_HD double share(Vec<D, double> x) const {
+    double all = 1;
+    for (int d = 0; d < D; ++d) {
+      const double r = dot(x - center, axis[d]), away = r < 0 ? -r : r;
+      if (half[d] > 0) all *= covered(away, half[d]);
+      else if (away > reach) return 0;
+    }
+    return all;
+  }
+
+ private:
+  FRESHET_HD double covered(double away, double half_length) const {
+    const double end = min(half_length, away + cell / 2),
+                 start = max(-half_length, away - cell / 2);
+    return end > start ? (end - start) / cell : 0;
+  }
+};
+
+/// Its share of the forces along an axis [m/s^2].
+template <int D> struct ForceOnPatch {
+  PatchOnWall<D> patch;
+  Vec<D, double> axis;
+  Field<Vec<D>> x, force;
+  FRESHET_HD double operator()(int k) const {
+    const double share = patch.share(to_double<D>(x[k]));
+    return share > 0 ? share * dot(to_double<D>(force[k]), axis) : 0;
+  }
+};
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet
