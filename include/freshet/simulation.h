@@ -77,8 +77,8 @@ class Simulation {
   /// reflecting walls the mean since the last call, others the present one.
   std::vector<Vector> wall_forces();
   /// The force of the fluid on each patch now, over its area, along its axes [Pa; N/m in 2D]: that
-  /// on the samples of walls and bodies within a support of it, each for as much of its cell as the
-  /// patch covers. Nothing of walls that have no samples.
+  /// on samples of walls and bodies within a support, each for as much of its cell as the patch
+  /// covers. Throws Error (kind scene) where a vector has not as many numbers as the domain axes.
   std::vector<Vector> tractions(const std::vector<WallPatch>& patches);
   /// What inlets brought, outlets took and counters saw, in the order of Scene::flow_names(); rates
   /// are the mean since the last call.

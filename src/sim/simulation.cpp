@@ -202,6 +202,16 @@ std::vector<Vector> Simulation::wall_forces() {
 }
 
 std::vector<Vector> Simulation::tractions(const std::vector<WallPatch>& patches) {
+  const auto n = std::size_t(impl_->scene.dimension());
+  for (const WallPatch& p : patches) {
+    bool fits = p.center.size() == n && p.half.size() == n && p.axes.size() == n;
+    for (const Vector& axis : p.axes) fits = fits && axis.size() == n;
+    if (!fits)
+      throw Error(Error::Kind::scene, "patch",
+                  fmt::format("a vector of the patch has not the {} numbers of the domain; give "
+                              "center, half and {} axes so many each",
+                              n, n));
+  }
   return impl_->engine->tractions(patches, impl_->scene.particles.spacing);
 }
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <sstream>
 
+#include "sim/forced.h"
 #include "sim/probe_places.h"
 #include "sim/probes.h"
-#include "sim/small_scenes.h"
 
 namespace freshet::test {
 namespace {
@@ -44,7 +44,11 @@ std::vector<std::vector<double>> look(Simulation& sim) {
   return told;
 }
 
-class WallProbes : public ::testing::TestWithParam<Water> {};
+class WallProbes : public ::testing::TestWithParam<Water> {
+  void SetUp() override {
+    if (!compiled(GetParam().solver)) GTEST_SKIP() << "not compiled in this build";
+  }
+};
 
 TEST_P(WallProbes, TellThePressureOfStillWater) {
   Simulation sim = simulation_of(tank(GetParam(), stretch(0.05, 0.15) + stretch(0.2, 0.35)));
@@ -120,6 +124,23 @@ TEST(WallProbe, IsCarriedByABody) {
   EXPECT_NEAR(-1, patches[0].axes[1][0], 1e-12);
   EXPECT_NEAR(0.1, patches[0].half[1], 1e-12);
   EXPECT_EQ(0, patches[0].half[0]);
+}
+
+TEST(WallProbe, WarnsOfAPieceWithoutAWall) {
+  const auto warnings = [](const char* place) {
+    const std::string probe = std::string("[[probe]]\nkind = \"wall\"\nfrom = [") + place +
+                              ", 0.1]\nto = [" + place + ", 0.2]\n";
+    return scene_warnings(parse_scene(tank({"dfsph", "akinci2012"}, probe), "test.toml"));
+  };
+  EXPECT_TRUE(warnings("1.0").empty());
+  ASSERT_EQ(1u, warnings("0.5").size());
+  EXPECT_NE(std::string::npos, warnings("0.5")[0].message.find("no sample of a wall"));
+}
+
+TEST(WallProbe, RefusesAPatchOfAnotherDimension) {
+  Simulation sim = simulation_of(tank({"dfsph", "akinci2012"}, ""));
+  EXPECT_THROW(sim.tractions({{{1, 0.2}, {0, 0.1}, {{1, 0, 0}, {0, 1, 0}}}}), Error);
+  EXPECT_THROW(sim.tractions({{{1, 0.2, 0}, {0, 0.1, 0}, {{1, 0}, {0, 1}}}}), Error);
 }
 
 TEST(WallProbe, TellsThePressureIn3D) {
