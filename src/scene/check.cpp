@@ -43,7 +43,7 @@ std::vector<Diagnostic> contradictions(const Scene& given,
   if (read("solver", "walls")) check_sides(scene, findings);
   const bool walls = read("solver", "walls", "wall", "particles") && check_walls(scene, findings);
   const bool bodies = read("solver", "walls", "wall", "body", "joint", "particles", "time") &&
-                      check_bodies(scene, findings);
+                      check_bodies(scene, walls, findings);
   const bool flows = read("particles", "inlet", "outlet", "counter", "time") &&
                      check_flows(scene, walls, findings);
   if (read("particles", "fluid") && (flows || scene.inlet.empty()))

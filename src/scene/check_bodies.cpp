@@ -239,7 +239,7 @@ template <int D> std::vector<std::vector<Vec<D, double>>> samples_of(const Scene
   return samples;
 }
 
-template <int D> bool check_places(const Scene& s, Findings& out) {
+template <int D> bool check_places(const Scene& s, bool walls_are_good, Findings& out) {
   const auto samples = samples_of<D>(s);
   std::vector<RegionSurface<D>> bodies;
   for (const Scene::Body& b : s.body) bodies.emplace_back(b);
@@ -279,7 +279,7 @@ template <int D> bool check_places(const Scene& s, Findings& out) {
       complain(k, fmt::format("{} reaches through a side of the domain, which would hold it; move "
                               "it or make it smaller",
                               name));
-    for (std::size_t w = 0; free && w < s.wall.size(); ++w)
+    for (std::size_t w = 0; free && walls_are_good && w < s.wall.size(); ++w)
       if (s.wall[w].shape != Shape::points && meets(samples[k], RegionSurface<D>(s.wall[w]))) {
         complain(k,
                  fmt::format("{} overlaps {}; move one of them", name, s.wall_names()[2 * D + w]));
@@ -357,7 +357,7 @@ bool check_joint(const Scene& s, std::size_t k, Findings& out) {
 
 }  // namespace
 
-bool check_bodies(const Scene& s, Findings& out) {
+bool check_bodies(const Scene& s, bool walls_are_good, Findings& out) {
   if (s.body.size() > most_bodies) {
     out.error("body", fmt::format("there are {} bodies; at most {} are allowed", s.body.size(),
                                   most_bodies));
@@ -368,7 +368,8 @@ bool check_bodies(const Scene& s, Findings& out) {
   for (std::size_t k = 0; k < s.body.size(); ++k) good &= check_body(s, k, out);
   for (std::size_t k = 0; k < s.joint.size(); ++k) good &= check_joint(s, k, out);
   if (!good || s.body.empty()) return good;
-  return s.dimension() == 2 ? check_places<2>(s, out) : check_places<3>(s, out);
+  return s.dimension() == 2 ? check_places<2>(s, walls_are_good, out)
+                            : check_places<3>(s, walls_are_good, out);
 }
 
 }  // namespace freshet

@@ -66,7 +66,7 @@ void check_sides(const Scene& scene, Findings& out);
 /// Inlets, outlets and counters. False where an inlet is not one that fluids can be looked at with.
 bool check_flows(const Scene& scene, bool walls_are_good, Findings& out);
 /// False where a body is not one that samples can be taken of.
-bool check_bodies(const Scene& scene, Findings& out);
+bool check_bodies(const Scene& scene, bool walls_are_good, Findings& out);
 
 void check_body_names(const Scene& scene, Findings& out);
 /// The body of that name; none, told of at the key, where there is none.
