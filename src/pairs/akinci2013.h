@@ -2,7 +2,9 @@
 /// Versatile surface tension and adhesion for SPH fluids [Akinci, Akinci, Teschner 2013].
 ///
 /// Lengths are measured in h, the support radius, and masses in rho0 h^D, so that gamma has one
-/// unit in 2D and in 3D: m/s^2.
+/// unit in 2D and in 3D: m/s^2. In the paper the cohesion has a mass more than the normals, so that
+/// their ratio is one of units; here normals have a tenth of what these units give them, with
+/// which drops in 3D do not burst (docs/forces.md).
 #pragma once
 #include "pairs/per_liquid.h"
 
@@ -40,8 +42,12 @@ template <class R> FRESHET_HD R akinci2013_adhesion(R q) {
   return Real(0.007f) * sqrt(sqrt(u));
 }
 
-/// f_i = -sum_j gamma_ij 2 rho0/(rho_i + rho_j) m/(rho0 h^D) (C(|x_ij|) x_ij/|x_ij| + n_i - n_j)
-/// [eqs. 1, 3, 4 and 5], gamma_ij the mean. Conserves momentum.
+constexpr Real akinci2013_share = Real(0.1f);  ///< of the normals
+
+/// f_i = -sum_j gamma_ij 2 rho0/(rho_i + rho_j) m/(rho0 h^D)
+///               (C(|x_ij|) x_ij/|x_ij| + s (n_i - n_j))  [eqs. 1, 3, 4 and 5]
+///
+/// with gamma_ij the mean and s the normals' share. Conserves momentum.
 ///
 ///   gamma [m/s^2], m_h = m/(rho0 h^D);  reads rho and n
 template <int D> struct Akinci2013Tension {
@@ -62,7 +68,7 @@ template <int D> struct Akinci2013Tension {
     const R within = select(q < R(1), R(1), R(0));
     const R K = within * (i.gamma + j.gamma) * (rho0 * m_h) / (i.rho + j.rho);
     const R C = akinci2013_cohesion(q) / max(ij.r, R(Real(1e-30f)));
-    return (-K) * (C * ij.x + (i.n - j.n));
+    return (-K) * (C * ij.x + R(akinci2013_share) * (i.n - j.n));
   }
 };
 

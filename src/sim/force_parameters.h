@@ -28,7 +28,7 @@ inline int kernel_order(const Scene& s) {
 
 /// gamma of Akinci 2013 over sigma/(rho0 h^2), with h the support radius: measured, at a support of
 /// 2 spacings (docs/forces.md).
-template <int D> constexpr double akinci2013_gamma = D == 2 ? 12.5 : 12.5;
+template <int D> constexpr double akinci2013_gamma = D == 2 ? 42 : 56;
 
 template <int D> ForceParameters<D> force_parameters(const Scene& s, const Derived& d) {
   using P = ForceParameters<D>;

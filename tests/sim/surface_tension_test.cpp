@@ -87,6 +87,21 @@ TEST(Akinci2013, MakesASquareRound) {
   EXPECT_GT(fourth(sim), 0.25 * before);
 }
 
+// A drop of water in 3D keeps its particles.
+TEST(Akinci2013, HoldsADropTogetherIn3D) {
+  if (!compiled("dfsph")) GTEST_SKIP() << "not compiled in this build";
+  Simulation sim = drop_of({3, "dfsph", "akinci2013", 0.0728, 0.001}, 6, 2e-4);
+  for (int n = 0; n < 250; ++n) sim.step();
+  const ParticleView f = sim.fluid();
+  double farthest = 0;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    double r2 = 0;
+    for (std::size_t k = 0; k < 3; ++k) r2 += std::pow(double(f.x[3 * i + k]) - 11 * spacing, 2);
+    farthest = std::max(farthest, std::sqrt(r2));
+  }
+  EXPECT_LT(farthest, 8 * spacing);
+}
+
 /// The mean of the pressure within half the radius of a drop, over what Laplace says.
 double laplace(const Drop& d, double spacings, int steps) {
   Simulation sim = drop_of(d, spacings, 2e-4);
