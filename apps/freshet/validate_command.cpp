@@ -15,8 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ValidateArguments {
-  std::vector<std::string> cases, solvers;
-  std::optional<double> resolution;
+  std::vector<std::string> cases, solvers, set;
+  std::vector<double> resolutions;
   std::string report, output = "runs/validation";
   int jobs = 1;
   bool all = false, short_form = false, resume = false, measure_only = false, json = false;
@@ -90,7 +90,8 @@ int validate_with(const ValidateArguments& a) {
   ValidateOptions options;
   options.cases = chosen(a);
   options.solvers = a.solvers;
-  options.resolution = a.resolution;
+  options.resolutions = a.resolutions;
+  options.overrides = overrides_of(a.set);
   options.resume = a.resume;
   options.run = !a.measure_only;
   options.short_form = a.short_form;
@@ -130,8 +131,15 @@ void add_validate(CLI::App& app, int& code) {
   command->add_flag("--all", a->all, "all cases");
   command->add_option("--solver", a->solvers, "these solvers only")->take_all();
   command
-      ->add_option("--resolution", a->resolution, "another particles.spacing [m], or time.step [s]")
+      ->add_option("--resolution", a->resolutions,
+                   "other particles.spacing [m], or values of what else the case varies")
+      ->take_all()
       ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--set", a->set,
+                   "KEY=VALUE: change a key of all scenes; bounds stay those of the cases")
+      ->take_all()
+      ->allow_extra_args(false);
   command->add_flag("--short", a->short_form, "coarser, with fewer solvers: minutes for all");
   command->add_flag("--resume", a->resume,
                     "keep what --output holds of the same scenes, and go on with what was stopped");

@@ -12,7 +12,10 @@ namespace freshet {
 
 /// What a case measures, and what it may come to.
 struct ValidationMeasure {
-  std::string name, table;         ///< table: a file of the run, observables.csv if not given
+  /// table: a file of the run, observables.csv if not given. "runs": a row for each run of a
+  /// solver, with what the runs differ by and what its other measures came to; the last run has the
+  /// result.
+  std::string name, table;
   std::string beside;              ///< another one, whose columns are taken at the same times
   std::string x, y, when;          ///< formulas in the table's columns; when: rows that count
   std::string since, since_when;   ///< time counts from where a table\'s formula first holds
@@ -43,20 +46,23 @@ struct ValidationCase {
   std::string name, title, text, source;
   std::filesystem::path folder, scene;
   std::vector<std::string> solvers;
-  std::string varied = "particles.spacing";  ///< or time.step: the key that resolutions are of
-  std::vector<double> resolutions;           ///< [m] or [s], the coarsest first
+  std::string varied = "particles.spacing";  ///< the key of the scene that resolutions are of
+  std::string unit = "m";                    ///< of the resolutions
+  std::vector<double> resolutions;           ///< the greatest first
   std::vector<ValidationMiss> misses;
-  /// Overrides by solver; "" is for all. A value of "3 spacings" is so many.
+  /// Overrides by solver; "" is for all. A value of "3 spacings" is so many, where spacings vary.
   std::vector<std::pair<std::string, std::vector<std::pair<std::string, std::string>>>> set;
   std::vector<ValidationMeasure> measures;
   struct Short {
     std::vector<std::string> solvers;
     std::vector<double> resolutions;
-    std::string cost;  ///< as measured
+    std::optional<double> end;  ///< [s], of a shorter run
+    std::string cost;           ///< as measured
   };
   std::optional<Short> short_form;
 
-  const char* unit() const { return varied == "time.step" ? "s" : "m"; }
+  /// What the runs differ by, in a word: spacing, step ...
+  std::string varies() const { return varied.substr(varied.rfind('.') + 1); }
 };
 
 /// One measure of one run.
@@ -77,7 +83,7 @@ struct ValidationResult {
 struct ValidationRun {
   std::string case_name, solver;
   double resolution = 0;
-  std::string unit = "m";  ///< of the resolution: of a spacing, or s of a time step
+  std::string varies = "spacing", unit = "m";  ///< what the resolution is
   std::int64_t particles = 0, steps = 0;
   double seconds = 0;
   std::string commit;            ///< of the sources that made it
@@ -94,7 +100,8 @@ struct ValidationRun {
 struct ValidateOptions {
   std::vector<ValidationCase> cases;
   std::vector<std::string> solvers;  ///< of those that a case has; empty: all
-  std::optional<double> resolution;  ///< instead of the case's
+  std::vector<Override> overrides;   ///< of the scene of each run, over those of its case
+  std::vector<double> resolutions;   ///< instead of the case's; empty: those
   bool short_form = false;
   bool resume = false;           ///< runs of the same scene that `output` holds are not made again
   bool run = true;               ///< false: what `output` holds is measured, and nothing is run

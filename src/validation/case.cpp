@@ -142,11 +142,26 @@ void check_solvers(CaseReader& in, const toml::table& table,
               fmt::format("{} is no solver; there are {}", name, fmt::join(solver_words, ", ")));
 }
 
-/// spacings, or time steps: what the runs of a case differ by.
+/// spacings, time steps, or values of what `vary` names: what the runs of a case differ by.
 std::vector<double> resolutions_in(CaseReader& in) {
-  std::vector<double> all = in.numbers("spacings");
-  for (const double step : in.numbers("steps")) all.push_back(step);
+  std::vector<double> all;
+  for (const char* list : {"spacings", "steps", "values"})
+    for (const double x : in.numbers(list)) all.push_back(x);
   return all;
+}
+
+void read_resolutions(ValidationCase& c, CaseReader& in, const toml::table& root) {
+  const bool steps = root.contains("steps"), values = root.contains("values");
+  c.varied = in.text("vary", steps ? "time.step" : "particles.spacing");
+  c.unit = in.text("unit", steps ? "s" : "m");
+  c.resolutions = resolutions_in(in);
+  if (c.resolutions.empty() || int(root.contains("spacings")) + int(steps) + int(values) != 1)
+    in.fail(root,
+            "spacings is a list of at least one, or steps, or values in its place; what is the "
+            "case run with?");
+  if (values != root.contains("vary"))
+    in.fail(root, "vary and values stand together: a key of the scene, and what it is to be");
+  std::sort(c.resolutions.begin(), c.resolutions.end(), std::greater<>());
 }
 
 ValidationMiss miss_in(const toml::table& table, const ValidationCase& c, const fs::path& file) {
@@ -187,14 +202,9 @@ ValidationCase read_validation_case(const fs::path& folder) {
   c.scene = folder / in.text("scene", "scene.toml");
   c.solvers = in.texts("solvers");
   check_solvers(in, root, c.solvers);
-  c.resolutions = resolutions_in(in);
-  if (root.contains("steps")) c.varied = "time.step";
-  if (c.solvers.empty() || c.resolutions.empty() ||
-      (root.contains("steps") && root.contains("spacings")))
-    in.fail(root,
-            "solvers and spacings, or steps in their place, are lists of at least one; what is the "
-            "case run with?");
-  std::sort(c.resolutions.begin(), c.resolutions.end(), std::greater<>());
+  if (c.solvers.empty())
+    in.fail(root, "solvers is a list of at least one; what is the case run with?");
+  read_resolutions(c, in, root);
   if (const toml::table* set = in.table("set"))
     for (const auto& [solver, keys] : *set) {
       if (!keys.is_table()) in.fail(keys, "write [set.all] or [set.SOLVER], with keys below it");
@@ -205,7 +215,7 @@ ValidationCase read_validation_case(const fs::path& folder) {
     }
   if (const toml::table* shorter = in.table("short")) {
     CaseReader s(*shorter, file);
-    c.short_form = {s.texts("solvers"), resolutions_in(s), s.text("cost")};
+    c.short_form = {s.texts("solvers"), resolutions_in(s), s.number("end"), s.text("cost")};
     check_solvers(s, *shorter, c.short_form->solvers);
     s.finish();
   }

@@ -111,6 +111,17 @@ Line least_squares(const std::vector<double>& x, const std::vector<double>& y) {
   return {xy / xx, my - xy / xx * mx};
 }
 
+double scatter(const Curve& c) {
+  const Line line = least_squares(c.x, c.y);
+  const double my = mean(c.y);
+  double left = 0, all = 0;
+  for (std::size_t k = 0; k < c.x.size(); ++k) {
+    left += std::pow(c.y[k] - line.offset - line.slope * c.x[k], 2);
+    all += std::pow(c.y[k] - my, 2);
+  }
+  return left / all;
+}
+
 /// Where y goes up through its mean: the x there, and the number of the first point after it.
 struct Period {
   double x;
@@ -199,14 +210,14 @@ double statistic(const std::string& word, const Curve& c, const std::string& pla
   if (word == "min") return *std::min_element(c.y.begin(), c.y.end());
   if (word == "last") return c.y.back();
   if (word == "slope") return least_squares(c.x, c.y).slope;
+  if (word == "scatter") return scatter(c);
   if (word == "period") return period(c);
   if (word == "height") return height(c);
   if (word == "rate") return rate(c);
   if (word == "decay") return rate(crests(c));
-  refuse(place,
-         fmt::format("statistic = \"{}\" is none of mean, min, max, last, slope, rate, decay, "
-                     "period and height; choose one",
-                     word));
+  refuse(place, fmt::format("statistic = \"{}\" is none of mean, min, max, last, slope, scatter, "
+                            "rate, decay, period and height; choose one",
+                            word));
 }
 
 double difference(const std::string& norm, const Curve& curve, const Curve& expected,
@@ -229,10 +240,9 @@ double difference(const std::string& norm, const Curve& curve, const Curve& expe
   refuse(place, fmt::format("norm = \"{}\" is none of max, mean and rms; choose one", norm));
 }
 
-ValidationResult measure(const ValidationCase& c, const ValidationMeasure& m,
+ValidationResult measure(const ValidationCase& c, const ValidationMeasure& m, Table table,
                          const std::filesystem::path& run, const std::filesystem::path& finest) {
   const std::string place = (c.folder / "case.toml").string() + ": measure " + m.name;
-  Table table = read_table(run / m.table);
   if (!m.beside.empty()) put_beside(table, read_table(run / m.beside), place);
   if (!m.since.empty()) count_from(table, read_table(run / m.since), m.since_when, place);
   Curve curve = curve_of(table, m.x, m.y, m.when, place);

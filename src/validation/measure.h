@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "freshet/validate.h"
+#include "sim/table.h"
 
 namespace freshet {
 
@@ -18,6 +19,7 @@ double at(const Curve& curve, double x);
 ///
 ///   mean, min, max, last   of y
 ///   slope                  of the line of least squares
+///   scatter                what that line leaves of y's variance, 1 - R^2
 ///   rate                   of y = a exp(rate x), by the line of least squares through ln y
 ///   decay                  the rate of the greatest y of each period, for what swings
 ///   period                 mean distance of the x at which y goes up through its mean
@@ -32,8 +34,9 @@ double statistic(const std::string& word, const Curve& curve, const std::string&
 double difference(const std::string& norm, const Curve& curve, const Curve& expected,
                   const Curve& points, std::optional<double> scale, const std::string& place);
 
-/// Measures what a run has left in its folder; `finest` is that of the finest of its series.
-ValidationResult measure(const ValidationCase& c, const ValidationMeasure& m,
+/// Measures what a table tells, of a run's folder with those beside it; `finest` is the folder of
+/// the finest run of its series.
+ValidationResult measure(const ValidationCase& c, const ValidationMeasure& m, Table table,
                          const std::filesystem::path& run,
                          const std::filesystem::path& finest = {});
 

@@ -31,6 +31,8 @@ struct Series {
   std::vector<double> resolutions;
 };
 
+constexpr const char* over_runs = "runs";  ///< the table that a measure over all runs looks at
+
 /// "3 spacings" as a length [m]; anything else as it is.
 std::string in_metres(const std::string& value, double spacing) {
   const auto end = value.rfind(" spacings");
@@ -107,6 +109,12 @@ fs::path folder_of(const ValidationRun& r, const ValidateOptions& options) {
   return options.output / fmt::format("{}_{}_{:g}", r.case_name, r.solver, r.resolution);
 }
 
+/// What the short form of a case is, where it is asked for.
+std::optional<ValidationCase::Short> short_form_of(const ValidationCase& c,
+                                                   const ValidateOptions& options) {
+  return options.short_form ? c.short_form : std::nullopt;
+}
+
 /// None, if it may not be run and has not been.
 std::optional<ValidationRun> run_of(const Series& s, double resolution,
                                     const ValidateOptions& options) {
@@ -115,11 +123,16 @@ std::optional<ValidationRun> run_of(const Series& s, double resolution,
   r.case_name = c.name;
   r.solver = s.solver;
   r.resolution = resolution;
-  r.unit = c.unit();
+  r.varies = c.varies();
+  r.unit = c.unit;
   r.expected_failure = expected_miss(c, r, "");
   if (options.run && options.before_run) options.before_run(r);
   try {
-    const Scene scene = load_scene(c.scene, overrides_of(c, s.solver, resolution));
+    auto overrides = overrides_of(c, s.solver, resolution);
+    if (const auto shorter = short_form_of(c, options); shorter && shorter->end)
+      overrides.emplace_back("time.end", fmt::format("{}", *shorter->end));
+    overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
+    const Scene scene = load_scene(c.scene, overrides);
     RunOptions run;
     run.output = folder_of(r, options);
     run.overwrite = true;
@@ -139,9 +152,10 @@ std::optional<ValidationRun> run_of(const Series& s, double resolution,
 
 /// A run that has left nothing to measure misses the bound, if there is one.
 ValidationResult measure_or_miss(const ValidationCase& c, const ValidationMeasure& m,
-                                 const fs::path& folder, const fs::path& finest) {
+                                 const fs::path& folder, const fs::path& finest,
+                                 const Table* runs = nullptr) {
   try {
-    return measure(c, m, folder, finest);
+    return measure(c, m, runs ? *runs : read_table(folder / m.table), folder, finest);
   } catch (const Error& e) {
     if (e.kind() == Error::Kind::scene) throw;
     ValidationResult r;
@@ -154,14 +168,16 @@ ValidationResult measure_or_miss(const ValidationCase& c, const ValidationMeasur
   }
 }
 
+/// Measures a run; the last of its series, whose table of `runs` is given, with what is over all.
 void measure_run(const ValidationCase& c, ValidationRun& r, const ValidateOptions& options,
-                 const fs::path& finest) {
+                 const fs::path& finest, const Table* runs = nullptr) {
   const fs::path folder = folder_of(r, options);
   for (ValidationMeasure m : c.measures) {
-    if (m.reference == "finest" && folder == finest) continue;
+    if ((m.reference == "finest" && folder == finest) || (m.table == over_runs) != bool(runs))
+      continue;
     const bool guards = options.short_form && m.short_bound;
     if (guards) m.bound = m.short_bound;
-    r.results.push_back(measure_or_miss(c, m, folder, finest));
+    r.results.push_back(measure_or_miss(c, m, folder, finest, runs));
     if (m.bound && !guards) r.results.back().expected_miss = expected_miss(c, r, m.name);
   }
 }
@@ -189,6 +205,25 @@ void add_orders(const ValidationCase& c, const ValidationRun& coarse, Validation
   }
 }
 
+/// A row for each run: what it was run with, and what its measures came to.
+Table table_of(const ValidationCase& c, const std::vector<ValidationRun>& runs) {
+  Table table;
+  table.rows = runs.size();
+  table.columns.push_back({c.varies(), c.unit, {}, {}});
+  for (const ValidationRun& r : runs) table.columns[0].numbers.push_back(r.resolution);
+  for (const ValidationMeasure& m : c.measures) {
+    if (m.table == over_runs) continue;
+    Column column{m.name, "", {}, {}};
+    for (const ValidationRun& r : runs) {
+      const ValidationResult* v = find(r, m.name);
+      column.numbers.push_back(v ? v->measured.value_or(v->value)
+                                 : std::numeric_limits<double>::quiet_NaN());
+    }
+    table.columns.push_back(std::move(column));
+  }
+  return table;
+}
+
 std::vector<ValidationRun> run_series(const Series& s, const ValidateOptions& options) {
   std::vector<ValidationRun> runs;
   for (const double resolution : s.resolutions)
@@ -197,17 +232,22 @@ std::vector<ValidationRun> run_series(const Series& s, const ValidateOptions& op
   const fs::path finest = folder_of(runs.back(), options);
   for (ValidationRun& r : runs)
     if (r.error.empty()) measure_run(*s.the_case, r, options, finest);
-  if (runs.size() > 1) add_orders(*s.the_case, runs[0], runs[1]);
+  if (runs.size() > 1) {
+    add_orders(*s.the_case, runs[0], runs[1]);
+    const Table all = table_of(*s.the_case, runs);
+    measure_run(*s.the_case, runs.back(), options, finest, &all);
+  }
   return runs;
 }
 
 std::vector<Series> all_series(const ValidateOptions& options) {
   std::vector<Series> all;
   for (const ValidationCase& c : options.cases) {
-    const bool shorter = options.short_form && c.short_form;
-    const auto& solvers = shorter ? c.short_form->solvers : c.solvers;
-    auto resolutions = shorter ? c.short_form->resolutions : c.resolutions;
-    if (options.resolution) resolutions = {*options.resolution};
+    const auto shorter = short_form_of(c, options);
+    const auto& solvers = shorter ? shorter->solvers : c.solvers;
+    auto resolutions = shorter ? shorter->resolutions : c.resolutions;
+    if (!options.resolutions.empty()) resolutions = options.resolutions;
+    std::sort(resolutions.begin(), resolutions.end(), std::greater<>());
     for (const std::string& solver : solvers)
       if (is_one_of(options.solvers, solver)) all.push_back({&c, solver, resolutions});
   }
@@ -218,11 +258,12 @@ std::vector<Series> all_series(const ValidateOptions& options) {
 
 std::vector<Override> overrides_of(const ValidationCase& c, const std::string& solver,
                                    double resolution) {
+  const bool spacings = c.varied == "particles.spacing";
   std::vector<Override> all{{"solver.name", solver}, {c.varied, fmt::format("{}", resolution)}};
   for (const std::string& group : {std::string(), solver})
     for (const auto& [name, keys] : c.set)
       for (const auto& [key, value] : keys)
-        if (name == group) all.emplace_back(key, in_metres(value, resolution));
+        if (name == group) all.emplace_back(key, spacings ? in_metres(value, resolution) : value);
   return all;
 }
 

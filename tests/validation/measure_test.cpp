@@ -28,6 +28,8 @@ Curve sampled(double (*f)(double), double end, int count = 2001) {
 TEST(Statistic, KnowsLinesDecaysAndPeriods) {
   const Curve line = sampled([](double x) { return 3 - 2 * x; }, 1);
   EXPECT_NEAR(-2, statistic("slope", line, ""), 1e-9);
+  EXPECT_NEAR(0, statistic("scatter", line, ""), 1e-9);
+  EXPECT_NEAR(6.0 / 78, statistic("scatter", {{0, 1, 2}, {0, 1, 4}}, ""), 1e-9);
   EXPECT_NEAR(2, statistic("mean", line, ""), 1e-9);
   EXPECT_NEAR(1, statistic("min", line, ""), 1e-9);
   EXPECT_NEAR(3, statistic("max", line, ""), 1e-9);
@@ -67,7 +69,7 @@ class AMeasure : public ::testing::Test {
   ValidationResult of(const ValidationMeasure& m) {
     ValidationCase c;
     c.folder = folder.path();
-    return measure(c, m, folder.path());
+    return measure(c, m, read_table(folder.path() / m.table), folder.path());
   }
   TemporaryFolder folder;
 };
@@ -174,6 +176,9 @@ TEST(ValidationCaseFile, TellsWhatIsWrong) {
   EXPECT_NE(std::string::npos, refusal("title = \n").find("case.toml:1:"));
   EXPECT_NE(std::string::npos,
             refusal(good + "[[measure]]\nname = \"m\"\ny = \"y\"\n").find("needs one of expected"));
+  EXPECT_NE(std::string::npos, refusal(good + "steps = [0.1]\n" + measure).find("in its place"));
+  EXPECT_NE(std::string::npos,
+            refusal(good + "vary = \"fluid.radius\"\n" + measure).find("stand together"));
 }
 
 TEST(ValidationCaseFile, OfEveryCaseIsGood) {
@@ -273,6 +278,44 @@ TEST_F(AProgramme, TellsOrdersAndWhatIsExpectedToMiss) {
   EXPECT_NEAR(2, runs[1].results[3].value, 0.1);
   EXPECT_GT(runs[0].results[1].value, runs[1].results[1].value) << "nearer to the finest";
   EXPECT_EQ(2u, runs[2].results.size()) << "the finest is not compared with itself";
+}
+
+// A measure over all runs of a solver, and scenes that the caller changes.
+TEST_F(AProgramme, VariesAnyKeyAndLooksAtAllRuns) {
+  write_text(folder / "case/case.toml",
+             "title = \"t\"\nsource = \"s\"\nscene = \"" SOURCE_DIR
+             "/validation/interpolation/scene.toml\"\n"
+             "solvers = [\"wcsph\"]\nvary = \"particles.support_radius\"\nunit = \"m\"\n"
+             "values = [0.1, 0.2, 0.15]\n[set.all]\n\"solver.sound_speed\" = 10\n" +
+                 measure("velocity", "statistic = \"max\"\n") +
+                 "[[measure]]\nname = \"trend\"\ntable = \"runs\"\nx = \"2*support_radius\"\n"
+                 "y = \"velocity\"\nstatistic = \"slope\"\nexpected = \"0\"\nscale = 1\n");
+  options.cases = {read_validation_case(folder / "case")};
+  options.overrides = {{"particles.spacing", "0.05"}};
+  const auto runs = validate(options);
+  ASSERT_EQ(3u, runs.size());
+  EXPECT_EQ("support_radius", runs[0].varies);
+  EXPECT_EQ(0.2, runs[0].resolution);
+  EXPECT_EQ(400, runs[0].particles) << "of the spacing that was asked for";
+  EXPECT_EQ(1u, runs[1].results.size());
+  ASSERT_EQ(2u, runs[2].results.size());
+  // The slope of the line through three points at equal distances is that between the outer two.
+  const double slope = (*runs[0].results[0].measured - *runs[2].results[0].measured) / 0.2;
+  EXPECT_NEAR(slope, *runs[2].results[1].measured, 1e-9 + 1e-6 * std::abs(slope));
+  EXPECT_NE(0, slope);
+}
+
+TEST_F(AProgramme, HasAShortForm) {
+  write_text(
+      folder / "case/case.toml",
+      read_text(folder / "case/case.toml") +
+          "[short]\nsolvers = [\"wcsph\"]\nspacings = [0.05]\nend = 2e-5\ncost = \"0 s\"\n");
+  options.cases = {read_validation_case(folder / "case")};
+  options.solvers = {"wcsph"};
+  options.short_form = true;
+  const auto shorter = validate(options);
+  ASSERT_EQ(1u, shorter.size());
+  EXPECT_EQ(2, shorter[0].steps);
 }
 
 TEST_F(AProgramme, KeepsTheRunsOfTheSameScene) {
