@@ -306,10 +306,9 @@ TEST_F(AProgramme, VariesAnyKeyAndLooksAtAllRuns) {
 }
 
 TEST_F(AProgramme, HasAShortForm) {
-  write_text(
-      folder / "case/case.toml",
-      read_text(folder / "case/case.toml") +
-          "[short]\nsolvers = [\"wcsph\"]\nspacings = [0.05]\nend = 2e-5\ncost = \"0 s\"\n");
+  write_text(folder / "case/case.toml",
+             read_text(folder / "case/case.toml") +
+                 "[short]\nsolvers = [\"wcsph\"]\nspacings = [0.05]\nend = 2e-5\ncost = \"0 s\"\n");
   options.cases = {read_validation_case(folder / "case")};
   options.solvers = {"wcsph"};
   options.short_form = true;
