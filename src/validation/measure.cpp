@@ -181,6 +181,16 @@ std::string plot_of(const ValidationMeasure& m, const Curve& curve, const Curve&
   return chart_svg(chart);
 }
 
+/// A statistic as a line beside the curve: a level, or a slope through its middle.
+Curve line_of(const std::string& statistic, const Curve& curve, double value) {
+  const auto [first, last] = std::minmax_element(curve.x.begin(), curve.x.end());
+  if (statistic == "mean" || statistic == "last" || statistic == "min" || statistic == "max")
+    return {{*first, *last}, {value, value}};
+  if (statistic != "slope") return {};
+  const double mx = mean(curve.x), my = mean(curve.y);
+  return {{*first, *last}, {my + value * (*first - mx), my + value * (*last - mx)}};
+}
+
 /// What is expected at the places of the curve: a file's points, or a formula in x.
 Curve expected_of(const ValidationCase& c, const ValidationMeasure& m, const Curve& curve,
                   const std::filesystem::path& finest, const std::string& place) {
@@ -254,11 +264,13 @@ ValidationResult measure(const ValidationCase& c, const ValidationMeasure& m, Ta
     cut(curve, m);
     r.measured = statistic(m.statistic, curve, place);
     r.value = *r.measured;
+    Curve expected;
     if (!m.expected.empty()) {
       const double should = evaluate(m.expected, "x", {0.0}, place)[0];
       r.value = std::abs(*r.measured - should) / m.scale.value_or(std::abs(should));
+      expected = line_of(m.statistic, curve, should);
     }
-    r.plot = plot_of(m, curve, {});
+    if (m.x != m.y) r.plot = plot_of(m, curve, expected);
   } else {
     Curve expected = expected_of(c, m, curve, finest, place);
     if (m.align) align(curve, expected, *m.align, place);

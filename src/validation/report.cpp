@@ -1,31 +1,17 @@
 // SPDX-License-Identifier: MIT
 /// What a validation came to, for programs and for people.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <openssl/evp.h>
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "freshet/validate.h"
 #include "freshet/version.h"
-#include "scene/keys.h"
+#include "validation/report_tables.h"
 
 namespace freshet {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<') out += "&lt;";
-    else if (c == '>') out += "&gt;";
-    else if (c == '&') out += "&amp;";
-    else if (c == '"') out += "&quot;";
-    else out += c;
-  }
-  return out;
-}
 
 std::string base64(const std::string& bytes) {
   std::string out(4 * ((bytes.size() + 2) / 3) + 1, '\0');
@@ -41,13 +27,6 @@ const char* word_of(const ValidationRun& r) {
                          std::none_of(r.results.begin(), r.results.end(),
                                       [](auto& v) { return !v.passed && v.expected_miss.empty(); });
   return r.error.empty() && after_all ? "passes what it was expected to miss" : "missed";
-}
-
-std::string resolution_of(const ValidationRun& r) {
-  return fmt::format("{:g} {}", r.resolution, r.unit);
-}
-std::string bound_of(const ValidationResult& v) {
-  return v.bound ? fmt::format("{}{:g}", v.at_least ? "at least " : "", *v.bound) : "";
 }
 
 /// Between a run and the next coarser one, of a measure that both have.
@@ -66,102 +45,33 @@ std::string order_from(const std::vector<ValidationRun>& runs, const ValidationR
   return "";
 }
 
-void add_run(std::string& html, const std::vector<ValidationRun>& runs, const ValidationRun& r) {
-  html += fmt::format(
-      "<h3>{}, {}: <span class=\"{}\">{}</span></h3>\n<p>{} particles, {} steps, {:.1f} "
-      "s.{}{}</p>\n",
-      escaped(r.solver), resolution_of(r), r.as_expected() ? "good" : "bad", word_of(r),
-      r.particles, r.steps, r.seconds,
+/// What may be opened of a run: its measures with their bounds, its curves and its picture.
+void add_run(std::string& page, const std::vector<ValidationRun>& of_case, const ValidationRun& r) {
+  page += fmt::format(
+      "<details{}><summary>{}, {}: <span class=\"{}\">{}</span></summary>\n<p>{} particles, {} "
+      "steps, {:.1f} s.{}{}</p>\n",
+      &r == &of_case.front() ? " open" : "", escaped(r.solver), resolution_of(r),
+      r.as_expected() ? "good" : "bad", word_of(r), r.particles, r.steps, r.seconds,
       r.expected_failure.empty() ? "" : " " + escaped(r.expected_failure),
       r.error.empty() ? "" : " " + escaped(r.error));
-  if (r.results.empty()) return;
-  html +=
+  page +=
       "<table><tr><th>measure</th><th>measured</th><th>difference or value</th><th>bound</th>"
       "<th>order</th><th>why this bound</th></tr>\n";
   for (const ValidationResult& v : r.results)
-    html += fmt::format(
+    page += fmt::format(
         "<tr><td>{}</td><td>{}</td><td class=\"{}\">{:.4g}</td><td>{}</td><td>{}</td><td>{}{}</td>"
         "</tr>\n",
         escaped(v.name), v.measured ? fmt::format("{:.5g}", *v.measured) : "",
-        v.passed ? "good" : "bad", v.value, v.bound ? bound_of(v) : "none", order_from(runs, r, v),
-        escaped(v.reason),
+        v.passed ? "good" : "bad", v.value, v.bound ? bound_of(v) : "none",
+        order_from(of_case, r, v), escaped(v.reason),
         v.expected_miss.empty() ? "" : "; missed, as expected: " + escaped(v.expected_miss));
-  html += "</table>\n<div class=\"plots\">\n";
+  page += "</table>\n<div class=\"plots\">\n";
   for (const ValidationResult& v : r.results)
     if (!v.plot.empty())
-      html += fmt::format("<img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">\n",
+      page += fmt::format("<img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">\n",
                           escaped(v.name), base64(v.plot));
-  html += fmt::format("<img alt=\"the end\" src=\"data:image/png;base64,{}\">\n</div>\n",
+  page += fmt::format("<img alt=\"the end\" src=\"data:image/png;base64,{}\">\n</div></details>\n",
                       base64(r.picture));
-}
-
-/// What has been run: how long that takes, and which sources it was made from.
-std::string summary_of(const std::vector<ValidationRun>& runs) {
-  double seconds = 0;
-  std::set<std::string> commits;
-  for (const ValidationRun& r : runs) {
-    seconds += r.seconds;
-    if (!r.commit.empty()) commits.insert(r.commit);
-  }
-  const auto good =
-      std::count_if(runs.begin(), runs.end(), [](auto& r) { return r.as_expected(); });
-  return fmt::format(
-      "{} of {} runs are as they should be. Their steps took {:.0f} minutes. Version {} "
-      "({}).",
-      good, runs.size(), seconds / 60, FRESHET_VERSION, fmt::join(commits, ", "));
-}
-
-/// "2/3": so many bounds are met, by each resolution that has some, from the coarsest on; "fails"
-/// for a run that came to no result. A star: it misses what it is not expected to miss.
-std::string cell_of(const std::vector<ValidationRun>& runs, const std::string& the_case,
-                    const std::string& solver) {
-  std::vector<std::string> all;
-  for (const ValidationRun& r : runs) {
-    if (r.case_name != the_case || r.solver != solver) continue;
-    const auto bounds = std::count_if(r.results.begin(), r.results.end(),
-                                      [](auto& v) { return v.bound.has_value(); });
-    const auto met = std::count_if(r.results.begin(), r.results.end(),
-                                   [](auto& v) { return v.bound && v.passed; });
-    if (r.error.empty() && bounds == 0) continue;
-    all.push_back((r.error.empty() ? fmt::format("{}/{}", met, bounds) : "fails") +
-                  (r.as_expected() ? "" : "*"));
-  }
-  return fmt::format("{}", fmt::join(all, ", "));
-}
-
-/// A line for each measure: what each run has come to.
-void add_case(std::string& text, const ValidationCase& c, const std::vector<ValidationRun>& runs) {
-  std::vector<const ValidationRun*> of_case;
-  for (const ValidationRun& r : runs)
-    if (r.case_name == c.name) of_case.push_back(&r);
-  if (of_case.empty()) return;
-  text += fmt::format("\n### {}\n\n{} {} Source: {}.\n\n| run | particles | seconds |", c.name,
-                      c.title + ".", c.text, c.source);
-  std::vector<std::string> names;
-  for (const ValidationRun* r : of_case)
-    for (const ValidationResult& v : r->results)
-      if (std::find(names.begin(), names.end(), v.name) == names.end()) {
-        names.push_back(v.name);
-        text += fmt::format(" {}{} |", v.name, v.bound ? " (" + bound_of(v) + ")" : "");
-      }
-  text += "\n|---|---|---|";
-  for (std::size_t k = 0; k < names.size(); ++k) text += "---|";
-  std::set<std::string> reasons;
-  for (const ValidationRun* r : of_case) {
-    text += fmt::format("\n| `{}` {} | {} | {:.3g} |", r->solver, resolution_of(*r), r->particles,
-                        r->seconds);
-    if (!r->expected_failure.empty()) reasons.insert(r->expected_failure);
-    for (const std::string& name : names) {
-      const auto v = std::find_if(r->results.begin(), r->results.end(),
-                                  [&](const ValidationResult& one) { return one.name == name; });
-      if (v == r->results.end()) text += r->error.empty() ? " |" : " failed |";
-      else text += fmt::format(" {0}{1:.3g}{0} |", v->passed ? "" : "**", v->value);
-      if (v != r->results.end() && !v->expected_miss.empty()) reasons.insert(v->expected_miss);
-    }
-  }
-  text += "\n";
-  for (const std::string& reason : reasons) text += fmt::format("\n- Missed: {}.", reason);
-  if (!reasons.empty()) text += "\n";
 }
 
 constexpr const char* page_head =
@@ -169,7 +79,11 @@ constexpr const char* page_head =
     "</title><style>body{font-family:sans-serif;max-width:70em;margin:2em auto;padding:0 1em}"
     "table{border-collapse:collapse}td,th{border:1px solid #bbb;padding:.25em .6em;text-align:left}"
     ".good{color:#176b2c}.bad{color:#b00020;font-weight:bold}.plots img{max-width:34em;margin:.5em}"
-    "</style></head><body>\n";
+    "summary{cursor:pointer;margin:.4em 0}</style></head><body>\n";
+
+constexpr const char* overview_text =
+    "A fraction for each resolution, from the coarsest on: so many of its bounds are met. A star "
+    "stands by a run that misses what it is not expected to miss.";
 
 }  // namespace
 
@@ -199,33 +113,34 @@ std::string validation_json(const std::vector<ValidationRun>& runs) {
 
 std::string validation_html(const std::vector<ValidationCase>& cases,
                             const std::vector<ValidationRun>& runs) {
-  std::string html = page_head;
-  html += fmt::format("<h1>Freshet: validation</h1>\n<p>{}</p>\n", escaped(summary_of(runs)));
+  std::string page = page_head;
+  page += fmt::format("<h1>Freshet: validation</h1>\n<p>{}</p>\n<p>{}</p>\n",
+                      escaped(summary_of(runs)), overview_text);
+  page += html(overview_table(cases, runs));
   for (const ValidationCase& c : cases) {
-    html += fmt::format("<h2 id=\"{0}\">{1}</h2>\n<p>{2}</p>\n<p>Source: {3}</p>\n",
+    const auto of_case = runs_of(runs, c.name);
+    page += fmt::format("<h2 id=\"{0}\">{1}</h2>\n<p>{2}</p>\n<p>Source: {3}</p>\n",
                         escaped(c.name), escaped(c.title), escaped(c.text), escaped(c.source));
-    for (const ValidationRun& r : runs)
-      if (r.case_name == c.name) add_run(html, runs, r);
+    page += html(case_table(of_case));
+    for (const std::string& reason : reasons_of(of_case))
+      page += fmt::format("<p>Missed: {}.</p>\n", escaped(reason));
+    for (const ValidationRun& r : of_case) add_run(page, of_case, r);
   }
-  return html + "</body></html>\n";
+  return page + "</body></html>\n";
 }
 
 std::string validation_markdown(const std::vector<ValidationCase>& cases,
                                 const std::vector<ValidationRun>& runs) {
-  std::string text = summary_of(runs) + "\n\n| case |";
-  std::vector<const char*> solvers;
-  for (const char* solver : solver_words)
-    if (std::any_of(runs.begin(), runs.end(), [&](auto& r) { return r.solver == solver; }))
-      solvers.push_back(solver);
-  for (const char* solver : solvers) text += fmt::format(" `{}` |", solver);
-  text += "\n|---|";
-  for (std::size_t k = 0; k < solvers.size(); ++k) text += "---|";
+  std::string text = summary_of(runs) + "\n\n" + markdown(overview_table(cases, runs));
   for (const ValidationCase& c : cases) {
-    text += fmt::format("\n| [{0}](#{0}) |", c.name);
-    for (const char* solver : solvers) text += fmt::format(" {} |", cell_of(runs, c.name, solver));
+    const auto of_case = runs_of(runs, c.name);
+    if (of_case.empty()) continue;
+    text += fmt::format("\n### {}\n\n{}. {} Source: {}.\n\n", c.name, c.title, c.text, c.source);
+    text += markdown(case_table(of_case));
+    const auto reasons = reasons_of(of_case);
+    for (const std::string& reason : reasons) text += fmt::format("\n- Missed: {}.", reason);
+    if (!reasons.empty()) text += "\n";
   }
-  text += "\n";
-  for (const ValidationCase& c : cases) add_case(text, c, runs);
   return text;
 }
 
