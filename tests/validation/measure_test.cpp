@@ -112,6 +112,10 @@ TEST_F(AMeasure, TakesAStatisticOfTheRowsThatCount) {
   EXPECT_NEAR(-10, *r.measured, 1e-9);
   EXPECT_NEAR(0.25, r.value, 1e-9);
   EXPECT_TRUE(r.passed) << "without a bound it is only told";
+  m.expected = "";
+  EXPECT_NE(r.plot, of(m).plot) << "what is expected is drawn beside it";
+  m.x = m.y;
+  EXPECT_TRUE(of(m).plot.empty()) << "of what is the same along both axes";
 }
 
 // Half of the depth at 0.5 and 1.5 s, by a table that has it at 0, 1 and 2 s.
@@ -232,6 +236,7 @@ TEST(ValidationReport, SaysWhatMissed) {
   const std::string html = validation_html({c}, {good, bad, expected});
   EXPECT_NE(std::string::npos, html.find("a &lt; b"));
   EXPECT_NE(std::string::npos, html.find("2 of 3 runs are as they should be"));
+  EXPECT_NE(std::string::npos, html.find("<a href=\"#case\">case</a></td><td>0/1*, 0/1</td>"));
   const std::string table = validation_markdown({c}, {good, bad});
   EXPECT_NE(std::string::npos, table.find("| [case](#case) | 0/1* | 1/1 |")) << table;
   EXPECT_NE(std::string::npos, table.find("| `wcsph` 0.1 m | 0 | 0 | **2** |")) << table;
