@@ -54,6 +54,8 @@ class Health {
   void go_on(const Moment& now, WatchRecord record);
 
  private:
+  static constexpr double step_reserve = 1.25;  ///< a fixed step may be so much over its bound
+
   struct Rule;
   template <class Message> void judge(const Rule& rule, double value, Message message) {
     judge(rule, value, steps_since_last(), message);
