@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+/// What a simulation is made of.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "freshet/simulation.h"
+#include "scene/setup.h"
+#include "sim/engines/select.h"
+#include "sim/health.h"
+
+namespace freshet {
+
+struct Simulation::Impl {
+  Impl(Scene s, const Execution& execution) : scene(with_defaults(std::move(s))) {
+    derived = derive(scene);
+    engine = make_engine(scene, derived, execution);
+    health.emplace(scene, derived, engine->fluid());
+  }
+  std::vector<StateArray> state() const;
+  std::string state_digest(StateArray::Role role) const;
+  class Resized;
+  double next_step();
+  double advance(double from, double dt, int halvings, double whole);
+  void note(const std::vector<Solve>& solves);
+
+  Scene scene;
+  Derived derived{};
+  std::unique_ptr<Engine> engine;
+  std::int64_t steps = 0;
+  double time = 0, forces_asked = 0;
+  double flows_asked = 0;  // when, and the counts then
+  std::vector<std::int64_t> flowed;
+  TimeSteps time_steps;
+  std::vector<SolveStatistics> solves;
+  bool retries_help = true;
+  std::optional<Health> health;  // refers to the scene
+};
+
+}  // namespace freshet

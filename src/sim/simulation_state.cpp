@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+/// A simulation's state: as frames and digests, and checkpoints out and in.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+#include <span>
+
+#include "io/checkpoint.h"
+#include "io/sha256.h"
+#include "sim/simulation_impl.h"
+
+namespace freshet {
+namespace {
+
+/// The places of particles in the order of their ids, which mostly are 0 to n - 1.
+std::vector<std::size_t> order_by_id(std::span<const std::uint64_t> id) {
+  const std::size_t n = id.size();
+  std::vector<std::size_t> order(n);
+  if (std::all_of(id.begin(), id.end(), [=](std::uint64_t k) { return k < n; })) {
+    for (std::size_t i = 0; i < n; ++i) order[id[i]] = i;
+    return order;
+  }
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return id[a] < id[b]; });
+  return order;
+}
+
+std::span<const std::uint64_t> ids_of(const StateArray& id) {
+  return {reinterpret_cast<const std::uint64_t*>(id.data), std::size_t(id.count)};
+}
+
+static_assert(std::endian::native == std::endian::little, "digests are over little-endian numbers");
+
+}  // namespace
+
+/// Without the arrays of sets that nothing is in.
+std::vector<StateArray> Simulation::Impl::state() const {
+  auto all = engine->state();
+  std::erase_if(all, [](const StateArray& a) { return a.count == 0; });
+  return all;
+}
+
+/// Over the arrays of a role in the order of their names, each in the order of its set's ids.
+std::string Simulation::Impl::state_digest(StateArray::Role role) const {
+  auto arrays = state();
+  std::sort(arrays.begin(), arrays.end(), [](auto& a, auto& b) { return a.name < b.name; });
+  Sha256 sha;
+  for (const StateArray& a : arrays) {
+    if (a.role != role) continue;
+    const std::string id = a.name.substr(0, a.name.find('/')) + "/id";
+    const auto ids = std::find_if(arrays.begin(), arrays.end(),
+                                  [&](const StateArray& other) { return other.name == id; });
+    const std::size_t bytes = a.bytes_per_particle();
+    for (const std::size_t i : order_by_id(ids_of(*ids))) sha.add(a.data + i * bytes, bytes);
+  }
+  return sha.hex();
+}
+
+Frame Simulation::frame() const {
+  const ParticleView f = fluid();
+  const auto D = std::size_t(f.dimension), n = f.size();
+  Frame out{f.dimension, impl_->steps, impl_->time, {}, {}, {}, {}, {}, {}, bodies()};
+  out.id.resize(n);
+  out.x.resize(D * n);
+  out.v.resize(D * n);
+  out.density.resize(n);
+  out.pressure.resize(n);
+  const auto order = order_by_id(f.id);
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t i = order[k];
+    out.id[k] = f.id[i];
+    for (std::size_t d = 0; d < D; ++d) {
+      out.x[D * k + d] = float(f.x[D * i + d]);
+      out.v[D * k + d] = float(f.v[D * i + d]);
+    }
+    out.density[k] = float(f.density[i]);
+    out.pressure[k] = float(f.pressure[i]);
+    if (!f.liquid.empty()) out.liquid.push_back(f.liquid[i]);
+  }
+  return out;
+}
+
+std::string Simulation::state_sha256() const {
+  const ParticleView f = fluid();
+  const auto d = std::size_t(f.dimension);
+  Sha256 sha;
+  const auto step = std::uint64_t(impl_->steps);
+  sha.add(&step, sizeof step);
+  for (const std::size_t i : order_by_id(f.id)) {
+    sha.add(&f.id[i], sizeof f.id[i]);
+    sha.add(&f.x[i * d], d * sizeof(Real));
+    sha.add(&f.v[i * d], d * sizeof(Real));
+  }
+  return sha.hex();
+}
+
+Checkpoint Simulation::checkpoint() const {
+  Impl& i = *impl_;
+  i.health->look_for_lost({i.steps, i.time, i.time_steps.last}, i.engine->fluid());
+  Checkpoint c;
+  c.scene = scene().source;
+  c.steps = impl_->steps;
+  c.time = impl_->time;
+  c.watch = impl_->health->record();
+  c.forces_asked = impl_->forces_asked;
+  c.flows_asked = impl_->flows_asked;
+  c.flowed = impl_->flowed;
+  c.time_steps = impl_->time_steps;
+  c.solves = impl_->solves;
+  c.retries_help = impl_->retries_help;
+  c.walls_sha256 = impl_->state_digest(StateArray::Role::fixed);
+  for (const StateArray& a : impl_->state()) {
+    if (a.role == StateArray::Role::fixed) continue;
+    c.arrays.push_back({a, {a.data, a.data + a.bytes()}});
+    c.arrays.back().data = nullptr;
+  }
+  return c;
+}
+
+/// Makes the fluid have as many particles as a checkpoint's, where they come and go; if what
+/// follows throws, all is as it was.
+class Simulation::Impl::Resized {
+ public:
+  Resized(Engine& engine, std::int64_t n) : engine_(engine), n_(engine.fluid().id.size()) {
+    if (n == n_) return;
+    for (const StateArray& a : engine.state()) before_.emplace_back(a.data, a.data + a.bytes());
+    engine.resize(n);
+  }
+  ~Resized() {
+    if (before_.empty()) return;
+    engine_.resize(n_);
+    std::size_t k = 0;
+    for (const StateArray& a : engine_.state()) {
+      std::copy(before_[k].begin(), before_[k].end(), a.data);
+      ++k;
+    }
+  }
+  void keep() { before_.clear(); }
+
+ private:
+  Engine& engine_;
+  std::int64_t n_;
+  std::vector<std::vector<std::byte>> before_;
+};
+
+void Simulation::restore(const Checkpoint& c) {
+  const auto ids = std::find_if(c.arrays.begin(), c.arrays.end(),
+                                [](const StateArray& a) { return a.name == "fluid/id"; });
+  const auto here = std::int64_t(impl_->engine->fluid().size());
+  Impl::Resized resized(*impl_->engine, !impl_->scene.has_flows() ? here
+                                        : ids == c.arrays.end()   ? 0
+                                                                  : ids->count);
+  const auto refuse = [](const std::string& why) {
+    throw Error(Error::Kind::scene, "", "this checkpoint is not of this scene: " + why);
+  };
+  auto state = impl_->state();
+  std::erase_if(state, [](const StateArray& a) { return a.role == StateArray::Role::fixed; });
+  const auto stored = [&](const StateArray& a) {
+    return std::find_if(c.arrays.begin(), c.arrays.end(),
+                        [&](const StateArray& b) { return b.name == a.name; });
+  };
+  for (const StateArray& a : state) {
+    const auto it = stored(a);
+    if (it == c.arrays.end())
+      refuse(fmt::format("it has no {}; was it of another solver?", a.name));
+    if (it->count != a.count)
+      refuse(
+          fmt::format("{} has {} entries there and {} here; was it of another resolution, or "
+                      "has a file of points changed?",
+                      a.name, it->count, a.count));
+    if (it->number != a.number || it->components != a.components)
+      refuse(
+          fmt::format("{} has other numbers there; was it of a build with another "
+                      "FRESHET_DOUBLE, or of another dimension?",
+                      a.name));
+  }
+  if (c.walls_sha256 != impl_->state_digest(StateArray::Role::fixed))
+    refuse("its walls are others; has a file of points changed?");
+  for (const StateArray& a : state) {
+    const auto it = stored(a);
+    std::copy(it->bytes.begin(), it->bytes.end(), a.data);
+  }
+  resized.keep();
+  impl_->engine->continue_from(c.steps);
+  impl_->steps = c.steps;
+  impl_->time = c.time;
+  impl_->health->go_on({c.steps, c.time, c.time_steps.last}, c.watch);
+  impl_->forces_asked = c.forces_asked;
+  impl_->flows_asked = c.flows_asked;
+  impl_->flowed = c.flowed;
+  impl_->time_steps = c.time_steps;
+  impl_->solves = c.solves;
+  impl_->retries_help = c.retries_help;
+}
+
+std::string Simulation::kept_sha256() const { return impl_->state_digest(StateArray::Role::kept); }
+
+}  // namespace freshet
