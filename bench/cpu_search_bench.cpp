@@ -10,6 +10,7 @@
 #include <random>
 
 #include "backend/cpu/cpu_backend.h"
+#include "backend/cpu/cpu_sets_impl.h"
 #include "kernels/poly6.h"
 #include "pairs/density.h"
 

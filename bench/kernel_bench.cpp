@@ -7,6 +7,7 @@
 #include <random>
 
 #include "backend/cpu/cpu_backend.h"
+#include "backend/cpu/cpu_sets_impl.h"
 #include "kernels/cubic_spline.h"
 #include "kernels/poly6.h"
 #include "kernels/spiky.h"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "backend/cpu/cpu_backend.h"
+#include "backend/cpu/cpu_sets_impl.h"
 #include "backend/reference/neighbor_lists.h"
 #if defined(FRESHET_NANOFLANN)
 #include "backend/kd_tree.h"

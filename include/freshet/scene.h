@@ -10,27 +10,17 @@
 #include <vector>
 
 #include "freshet/error.h"
+#include "freshet/methods.h"
 #include "freshet/time_step.h"
+#include "freshet/vector.h"
 
 namespace freshet {
-
-using Vector = std::vector<double>;        ///< one number per dimension
-using Counts = std::vector<std::int64_t>;  ///< one whole number per dimension
 
 enum class Shape { box, sphere, cylinder, plane, points, mesh, lattice };
 enum class Side { inside, outside };
 enum class Outside { error, clamp };
 enum class StartPressure { zero, hydrostatic };
 enum class Axes { none, x, y, xy, z, xz, yz, xyz };  // bit d is axis d
-enum class SolverName { mueller2003, wcsph, delta_sph, pcisph, iisph, dfsph, pbf };
-enum class Scheme { paper, article };
-enum class KernelName { cubic_spline, wendland_c2, wendland_c4, wendland_c6 };
-enum class DensityDiffusion { none, fourtakas2019, antuono2010 };
-enum class Iteration { jacobi, nesterov };
-enum class WallMethod { open, reflection, monaghan2009, ghost, akinci2012, adami2012 };
-enum class Slip { free_slip, no_slip };
-enum class BackendName { cpu, reference };
-enum class Search { grid, all_pairs };
 enum class Dots { glow, solid };
 enum class ProbeKind { point, line, plane, surface, wall };
 enum class ColorBy {
@@ -46,12 +36,6 @@ enum class ColorBy {
   liquid
 };
 enum class ColorMap { article, water, viridis, inferno, coolwarm };
-enum class NeighborOrder { cell, id };
-enum class ViscosityMethod { artificial, monaghan2005, morris1997, weiler2018 };
-enum class SurfaceTensionMethod { none, akinci2013, morris2000 };
-enum class ShiftingMethod { none, lind2012, adami2013, sun2017 };
-enum class VorticityMethod { none, bender2017 };
-enum class Drag { none, gissler2017 };
 enum class WhenWrong { stop, warn };
 enum class DataFormat { vtp, ply, csv, hdf5 };
 enum class DataField { velocity, density, pressure, id };
@@ -198,7 +182,7 @@ struct Scene {
     std::optional<double> vorticity_transfer, vorticity_inertia;  // bender2017
 
     /// Whether the pressure is solved for, so that the density stays what it is.
-    bool incompressible() const { return name >= SolverName::pcisph; }
+    bool incompressible() const { return is_incompressible(name); }
   };
   /// What the liquid flies through.
   struct Air {

@@ -78,15 +78,16 @@ template <int D> class Copies {
     share(p, p.v);
   }
   /// Copies learn new values of a field.
-  void share(const Particles<D>& p, Field<Real> field) const {
-    for (int k = 0; k < size(); ++k) field[p.n + k] = field[copies_[std::size_t(k)].source];
+  template <class T> void share(const Particles<D>& p, Field<T> field) const {
+    share(p, field, 0, size());
   }
-  void share(const Particles<D>& p, Field<int> field) const {
-    for (int k = 0; k < size(); ++k) field[p.n + k] = field[copies_[std::size_t(k)].source];
+  /// The copies begin to end - 1 learn new values of a field.
+  template <class T> void share(const Particles<D>& p, Field<T> field, int begin, int end) const {
+    for (int k = begin; k < end; ++k) field[p.n + k] = field[copies_[std::size_t(k)].source];
   }
-  void share(const Particles<D>& p, Field<Vec<D>> field) const {
+  void share(const Particles<D>& p, Field<Vec<D>> field, int begin, int end) const {
     const bool velocity = field.data == p.v.data, place = field.data == p.x.data;
-    for (int k = 0; k < size(); ++k) {
+    for (int k = begin; k < end; ++k) {
       const Copy& copy = copies_[std::size_t(k)];
       Vec<D> a = field[copy.source];
       for_rules(copy, [&](const CopyRule<D>& rule) {

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <optional>
 
+#include "bodies/rigid_world.h"
 #include "core/rotation.h"
+#include "scene/body_motion.h"
+#include "scene/expressions.h"
 #include "scene/solid_of.h"
 
 namespace freshet {
@@ -34,14 +37,34 @@ Point solve(const double (&m)[3][3], Point a) {
 
 }  // namespace
 
-Bodies::Bodies(const Scene& s) : scene_(s), body_force_(s.domain.body_force) {
-  for (const Scene::Body& b : s.body) {
-    shapes_.push_back(body_shape(b));
-    motions_.emplace_back();
-    if (b.motion == BodyMotion::moved) motions_.back().emplace(b, s.dimension());
-    any_free_ |= b.motion == BodyMotion::free;
+struct Bodies::Impl {
+  explicit Impl(const Scene& s) : scene(s), body_force(s.domain.body_force) {
+    for (const Scene::Body& b : s.body) {
+      shapes.push_back(body_shape(b));
+      motions.emplace_back();
+      if (b.motion == BodyMotion::moved) motions.back().emplace(b, s.dimension());
+      any_free |= b.motion == BodyMotion::free;
+    }
+    if (any_free) world.emplace(s, shapes);
+  }
+  double mass(std::size_t k) const {
+    const Scene::Body& b = scene.body[k];
+    return b.mass.value_or(b.density.value_or(0) * shapes[k].volume);
+  }
+
+  const Scene& scene;
+  std::vector<BodyShape> shapes;
+  std::vector<std::optional<PrescribedMotion>> motions;
+  std::optional<RigidWorld> world;
+  Expressions body_force;
+  bool any_free = false;
+};
+
+Bodies::Bodies(const Scene& s) : impl_(std::make_unique<Impl>(s)) {
+  for (std::size_t k = 0; k < s.body.size(); ++k) {
+    const Scene::Body& b = s.body[k];
     BodyState state;
-    state.position = array_of(shapes_.back().center);
+    state.position = array_of(impl_->shapes[k].center);
     if (b.motion == BodyMotion::free) {
       state.velocity = array_of(in_space(b.velocity));
       state.angular_velocity = array_of(b.angular_velocity * direction_of(b.turn_axis));
@@ -50,21 +73,30 @@ Bodies::Bodies(const Scene& s) : scene_(s), body_force_(s.domain.body_force) {
   }
   last_forces_.resize(states_.size());
   for (std::size_t k = 0; k < size(); ++k) states_[k] = placed(k, 0);
-  if (any_free_) world_.emplace(s, shapes_);
 }
+Bodies::~Bodies() = default;
 
-double Bodies::mass(std::size_t k) const {
-  const Scene::Body& b = scene_.body[k];
-  return b.mass.value_or(b.density.value_or(0) * shapes_[k].volume);
+std::array<double, 3> Bodies::center(std::size_t k) const {
+  return array_of(impl_->shapes[k].center);
+}
+bool Bodies::any_free() const { return impl_->any_free; }
+
+void Bodies::save() {
+  saved_states_ = states_;
+  saved_forces_ = last_forces_;
+}
+void Bodies::restore() {
+  states_ = saved_states_;
+  last_forces_ = saved_forces_;
 }
 
 /// x = pivot + R (x0 - pivot) + translation
 BodyState Bodies::placed(std::size_t k, double time) const {
   BodyState state = states_[k];
-  if (!motions_[k]) return state;
-  const Scene::Body& b = scene_.body[k];
-  const Displacement d = motions_[k]->at(time);
-  const Point axis = direction_of(b.turn_axis), center = shapes_[k].center,
+  if (!impl_->motions[k]) return state;
+  const Scene::Body& b = impl_->scene.body[k];
+  const Displacement d = impl_->motions[k]->at(time);
+  const Point axis = direction_of(b.turn_axis), center = impl_->shapes[k].center,
               pivot = b.pivot.empty() ? center : in_space(b.pivot), omega = d.rate[3] * axis;
   state.orientation = rotation_by(d.value[3] * axis);
   const Point arm = Rotation(state.orientation)(center - pivot);
@@ -76,7 +108,7 @@ BodyState Bodies::placed(std::size_t k, double time) const {
 
 BodyState Bodies::at(std::size_t k, double time, double ahead) const {
   BodyState state = placed(k, time + ahead);
-  if (ahead == 0 || scene_.body[k].motion != BodyMotion::free) return state;
+  if (ahead == 0 || impl_->scene.body[k].motion != BodyMotion::free) return state;
   state.position = array_of(point_of(state.position) + ahead * point_of(state.velocity));
   state.orientation =
       product(rotation_by(ahead * point_of(state.angular_velocity)), state.orientation);
@@ -85,22 +117,22 @@ BodyState Bodies::at(std::size_t k, double time, double ahead) const {
 
 std::array<SixNumbers, 6> Bodies::mobility(std::size_t k) const {
   std::array<SixNumbers, 6> m{};
-  const Scene::Body& b = scene_.body[k];
+  const Scene::Body& b = impl_->scene.body[k];
   if (b.motion != BodyMotion::free) return m;
-  const double mass = this->mass(k), density = mass / shapes_[k].volume;
+  const double mass = impl_->mass(k), density = mass / impl_->shapes[k].volume;
   const Rotation turn(states_[k].orientation);
   const Point center = point_of(states_[k].position);
-  for (const Scene::Joint& joint : scene_.joint) {
-    if (joint.body != scene_.body_name(k)) continue;
+  for (const Scene::Joint& joint : impl_->scene.joint) {
+    if (joint.body != impl_->scene.body_name(k)) continue;
     const auto other =
-        std::find_if(scene_.body.begin(), scene_.body.end(), [&](const Scene::Body& o) {
-          return scene_.body_name(std::size_t(&o - scene_.body.data())) == joint.other;
+        std::find_if(impl_->scene.body.begin(), impl_->scene.body.end(), [&](const Scene::Body& o) {
+          return impl_->scene.body_name(std::size_t(&o - impl_->scene.body.data())) == joint.other;
         });
-    if (other != scene_.body.end() && other->motion == BodyMotion::free) continue;
+    if (other != impl_->scene.body.end() && other->motion == BodyMotion::free) continue;
     const Point axis = direction_of(joint.axis),
                 swing = cross(axis, center - in_space(joint.point));
     const double inertia =
-        density * dot(axis, turn(times(shapes_[k].inertia, turn.inverse(axis)))) +
+        density * dot(axis, turn(times(impl_->shapes[k].inertia, turn.inverse(axis)))) +
         mass * norm2(swing);
     const SixNumbers u{swing.x, swing.y, swing.z, axis.x, axis.y, axis.z};
     for (std::size_t i = 0; i < 6; ++i)
@@ -108,28 +140,28 @@ std::array<SixNumbers, 6> Bodies::mobility(std::size_t k) const {
     return m;
   }
   for (std::size_t i = 0; i < 3; ++i) m[i][i] = 1 / mass;
-  if (scene_.dimension() == 2) {
-    m[5][5] = 1 / (density * shapes_[k].inertia[2][2]);
+  if (impl_->scene.dimension() == 2) {
+    m[5][5] = 1 / (density * impl_->shapes[k].inertia[2][2]);
     return m;
   }
   for (std::size_t j = 0; j < 3; ++j) {
     const Point unit{double(j == 0), double(j == 1), double(j == 2)};
-    const Point a = turn(solve(shapes_[k].inertia, turn.inverse(unit))) / density;
+    const Point a = turn(solve(impl_->shapes[k].inertia, turn.inverse(unit))) / density;
     m[3][3 + j] = a.x, m[4][3 + j] = a.y, m[5][3 + j] = a.z;
   }
   return m;
 }
 
-Load Bodies::pull(std::size_t k, double time) const {
-  Load load;
-  if (scene_.body[k].motion != BodyMotion::free) return load;
+SixNumbers Bodies::pull(std::size_t k, double time) const {
+  SixNumbers load{};
+  if (impl_->scene.body[k].motion != BodyMotion::free) return load;
   double b[3] = {};
-  if (!body_force_.empty()) {
+  if (!impl_->body_force.empty()) {
     const auto& p = states_[k].position;
-    body_force_({p[0], p[1], p[2]}, time, b);
+    impl_->body_force({p[0], p[1], p[2]}, time, b);
   }
-  for (std::size_t d = 0; d < scene_.domain.gravity.size(); ++d)
-    load.force[d] = mass(k) * (scene_.domain.gravity[d] + b[d]);
+  for (std::size_t d = 0; d < impl_->scene.domain.gravity.size(); ++d)
+    load[d] = impl_->mass(k) * (impl_->scene.domain.gravity[d] + b[d]);
   return load;
 }
 
@@ -137,15 +169,16 @@ void Bodies::step(double time, double dt, std::span<const SixNumbers> forces) {
   std::vector<Load> loads;
   for (std::size_t k = 0; k < size(); ++k) {
     BodyState& state = states_[k];
-    Load load = pull(k, time);
+    const SixNumbers pulled = pull(k, time);
+    Load load;
     for (std::size_t d = 0; d < 3; ++d) {
-      load.force[d] += state.force[d] = forces[k][d];
-      load.torque[d] += state.torque[d] = forces[k][3 + d];
+      load.force[d] = pulled[d] + (state.force[d] = forces[k][d]);
+      load.torque[d] = pulled[3 + d] + (state.torque[d] = forces[k][3 + d]);
     }
     loads.push_back(load);
     state = placed(k, time);
   }
-  if (world_) world_->step(states_, loads, dt);
+  if (impl_->world) impl_->world->step(states_, loads, dt);
   for (std::size_t k = 0; k < size(); ++k) states_[k] = placed(k, time + dt);
 }
 
@@ -154,7 +187,7 @@ double Bodies::fastest(double time) const {
   for (std::size_t k = 0; k < size(); ++k) {
     const BodyState state = at(k, time, 0);
     most = std::max(most, norm(point_of(state.velocity)) +
-                              shapes_[k].reach * norm(point_of(state.angular_velocity)));
+                              impl_->shapes[k].reach * norm(point_of(state.angular_velocity)));
   }
   return most;
 }

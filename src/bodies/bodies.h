@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "bodies/rigid_world.h"
 #include "freshet/frame.h"
-#include "scene/body_motion.h"
-#include "scene/body_shape.h"
-#include "scene/expressions.h"
 
 namespace freshet {
+
+struct Scene;
 
 /// A velocity and an angular velocity, or a force and a torque, about a centre of mass.
 using SixNumbers = std::array<double, 6>;
@@ -21,46 +19,44 @@ class Bodies {
  public:
   /// Of a scene with its defaults filled in, which outlives this.
   explicit Bodies(const Scene& scene);
+  Bodies(const Bodies&) = delete;
+  ~Bodies();
 
   std::size_t size() const { return states_.size(); }
-  const BodyShape& shape(std::size_t k) const { return shapes_[k]; }
-  bool any_free() const { return any_free_; }
-  /// Memory that a restart writes to: the bodies, and what the fluid did to them when it was last
+  /// The centre of mass at the start [m].
+  std::array<double, 3> center(std::size_t k) const;
+  /// Whether the fluid moves any of them.
+  bool any_free() const;
+  /// Memory that a restart writes to: the bodies, and the forces of the fluid when it was last
   /// asked.
   std::vector<BodyState>& states() { return states_; }
   const std::vector<BodyState>& states() const { return states_; }
   std::vector<SixNumbers>& last_forces() { return last_forces_; }
 
-  /// A body `ahead` seconds after `time`: a moved one by its motion, a free one as it flies.
+  /// A body `ahead` seconds after `time`: a moved one by its motion, a free one by its velocity.
   BodyState at(std::size_t k, double time, double ahead) const;
-  /// How a body's motion changes by an impulse [1/kg, 1/(kg m²)]: zeros if it is not free. One that
-  /// hangs on the world turns about its hinge only.
+  /// The change of a body's motion by an impulse [1/kg, 1/(kg m²)]: zeros if it is not free. A body
+  /// that hangs on the world turns about its hinge only.
   std::array<SixNumbers, 6> mobility(std::size_t k) const;
-  /// Gravity and the scene's body force on a free body [N].
-  Load pull(std::size_t k, double time) const;
+  /// Gravity and the scene's body force on a free body, zeros on others [N, N m].
+  SixNumbers pull(std::size_t k, double time) const;
   /// Moves all bodies from time to time + dt, with these forces of the fluid.
   void step(double time, double dt, std::span<const SixNumbers> forces);
-  /// The greatest speed of any place of a body [m/s].
+  /// The greatest speed of any point of a body [m/s].
   double fastest(double time) const;
 
-  /// For a step that may be taken back.
-  void save() { saved_ = {states_, last_forces_}; }
-  void restore() { std::tie(states_, last_forces_) = saved_; }
+  /// For a step that may be rolled back.
+  void save();
+  void restore();
 
  private:
-  double mass(std::size_t k) const;
+  struct Impl;
   /// A moved body at that time, any other as it is.
   BodyState placed(std::size_t k, double time) const;
 
-  const Scene& scene_;
-  std::vector<BodyShape> shapes_;
-  std::vector<std::optional<PrescribedMotion>> motions_;
-  std::vector<BodyState> states_;
-  std::vector<SixNumbers> last_forces_;
-  std::pair<std::vector<BodyState>, std::vector<SixNumbers>> saved_;
-  std::optional<RigidWorld> world_;
-  mutable Expressions body_force_;
-  bool any_free_ = false;
+  std::vector<BodyState> states_, saved_states_;
+  std::vector<SixNumbers> last_forces_, saved_forces_;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace freshet

@@ -59,10 +59,6 @@ template <int D> struct RigidBodies {
   int count() const { return int(all.size()); }
 };
 
-template <int D> FRESHET_HD Vec<D, double> each_double(Vec<D> a) {
-  if constexpr (D == 3) return {double(a.x), double(a.y), double(a.z)};
-  else return {double(a.x), double(a.y)};
-}
 /// The velocity at a place of a body.
 template <int D, class Twist> FRESHET_HD Vec<D> velocity_at(const Twist& t, Vec<D> arm) {
   if constexpr (D == 3)
@@ -75,7 +71,7 @@ template <int D, class Twist> FRESHET_HD Vec<D> velocity_at(const Twist& t, Vec<
 template <int D, class Twist>
 FRESHET_HD Vec<D> acceleration_at(const Twist& acceleration, const Twist& motion, Vec<D> arm) {
   const Twist &a = acceleration, &w = motion;
-  const Vec<D, double> r = each_double(arm);
+  const Vec<D, double> r = to_double(arm);
   if constexpr (D == 3) {
     const Vec<3, double> alpha{a[3], a[4], a[5]}, omega{w[3], w[4], w[5]};
     const auto at =
@@ -88,7 +84,7 @@ FRESHET_HD Vec<D> acceleration_at(const Twist& acceleration, const Twist& motion
 }
 /// A force there, as force and torque.
 template <int D> FRESHET_HD typename RigidBodies<D>::Twist wrench_of(Vec<D> f, Vec<D> arm) {
-  const Vec<D, double> F = each_double(f), r = each_double(arm);
+  const Vec<D, double> F = to_double(f), r = to_double(arm);
   if constexpr (D == 3)
     return {{F.x, F.y, F.z, r.y * F.z - r.z * F.y, r.z * F.x - r.x * F.z, r.x * F.y - r.y * F.x}};
   else return {{F.x, F.y, r.x * F.y - r.y * F.x}};

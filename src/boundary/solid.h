@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "boundary/solid_kind.h"
 #include "core/vec.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
-
-/// A shape with a surface: a box, a ball (in 2D a disc), a cylinder or a half space.
-enum class SolidKind { box, ball, cylinder, plane };
 
 /// The distance to a shape's surface and the normal there.
 ///

@@ -65,6 +65,11 @@ template <int D, class R> FRESHET_HD R& component(Vec<D, R>& a, int k) {
   else return k == 0 ? a.x : a.y;
 }
 
+template <int D> FRESHET_HD Vec<D, double> to_double(Vec<D> a) {
+  if constexpr (D == 3) return {double(a.x), double(a.y), double(a.z)};
+  else return {double(a.x), double(a.y)};
+}
+
 /// The pair (i, j). What a term does not use costs nothing.
 template <int D, class R> struct Pair {
   Vec<D, R> x;  ///< x_ij = x_i - x_j  [m]

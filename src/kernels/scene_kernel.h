@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "freshet/methods.h"
 #include "kernels/cubic_spline.h"
 #include "kernels/wendland_smooth.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The kernel that a scene asks for, found when a run starts: CubicSpline where `order` is 0, else
-/// the Wendland kernel of that order. One compiled kernel for all, for passes that are not the
-/// fastest; the branch is the same for all particles.
+/// The order of a Wendland kernel; 0: the cubic spline.
+constexpr int wendland_order(KernelName kernel) { return 2 * int(kernel); }
+
+/// The kernel of a scene, chosen when a run starts. One compiled kernel for all, for passes that are
+/// not the fastest; the branch is the same for all particles. Its bits are those of each kernel.
 ///
 ///   h  support radius [m], h > 0
 template <int D> struct SceneKernel {
   CubicSpline<D> cubic_spline;
   WendlandSmooth<D> wendland;
   bool cubic;
-  SceneKernel(Real h, int order)
-      : cubic_spline(h), wendland(h, order == 0 ? 2 : order), cubic(order == 0) {}
+  SceneKernel(Real h, KernelName kernel)
+      : cubic_spline(h),
+        wendland(h, kernel == KernelName::cubic_spline ? 2 : wendland_order(kernel)),
+        cubic(kernel == KernelName::cubic_spline) {}
 
   template <class R> FRESHET_HD R operator()(const Pair<D, R>& ij) const {
     return cubic ? cubic_spline(ij) : wendland(ij);

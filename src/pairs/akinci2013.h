@@ -11,6 +11,10 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
+/// gamma over sigma/(rho0 h^2), with h the support radius: measured, at a support of 2 spacings
+/// (docs/forces.md).
+template <int D> constexpr double akinci2013_gamma = D == 2 ? 42 : 56;
+
 /// n_i = h sum_j m/rho_j grad W_ij, towards the fluid  [sec. 3.2]
 ///
 ///   h, m [m, kg];  reads rho;  the sum is a pure number, and zero inside

@@ -57,11 +57,6 @@ template <int D> std::vector<double> places_in(const Scene::Opening& o, double s
 
 }  // namespace
 
-double InletPlan::layers_until(double time) const {
-  const double flows = std::min(time, stop) - start;
-  return flows > 0 ? std::floor(flows * speed / spacing + 0.5 + 1e-9) : 0;
-}
-
 InflowEstimate estimate_inflow(const Scene& s) {
   InflowEstimate all;
   for (const Scene::Inlet& in : s.inlet) {
@@ -88,16 +83,14 @@ InletPlan inlet_plan(const Scene& s, const Scene::Inlet& in) {
   const bool flat = s.dimension() == 2;
   plan.spacing = s.particles.spacing;
   plan.places = flat ? places_in<2>(in, plan.spacing) : places_in<3>(in, plan.spacing);
-  plan.direction = in.direction;
-  const auto unit2 = [&] {
-    auto d = unit_of<2>(in.direction);
-    return Vector{d.x, d.y};
-  };
-  const auto unit3 = [&] {
-    auto d = unit_of<3>(in.direction);
-    return Vector{d.x, d.y, d.z};
-  };
-  plan.direction = flat ? unit2() : unit3();
+  plan.dimension = s.dimension();
+  if (flat) {
+    const auto d = unit_of<2>(in.direction);
+    plan.direction = {d.x, d.y, 0};
+  } else {
+    const auto d = unit_of<3>(in.direction);
+    plan.direction = {d.x, d.y, d.z};
+  }
   // What stands just before the opening finds neighbours as far as it looks.
   plan.layers = int(std::ceil(support_radius(s) / plan.spacing - 1e-9)) + 1;
   const double area = double(plan.particles()) * std::pow(plan.spacing, s.dimension() - 1);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "boundary/opening.h"
+#include "engine/plan.h"
 #include "scene/solid_of.h"
 
 namespace freshet {
@@ -30,25 +31,6 @@ template <int D> Opening<D> opening_of(const Scene::Opening& o) {
 }
 
 }  // namespace FRESHET_ISA
-
-/// What an inlet brings. D numbers a place.
-struct InletPlan {
-  std::vector<double> places;  ///< of a layer's particles, on the opening [m]
-  Vector direction;            ///< unit vector
-  double spacing = 0;          ///< of the layers [m]
-  int layers = 0;              ///< that fit into the zone behind the opening
-  double speed = 0;            ///< [m/s]
-  double rate = 0;             ///< [m^D/s]
-  double start = 0, stop = 0;  ///< [s]
-  int liquid = 0;              ///< place in Scene::liquids()
-  int outlet = -1;             ///< that it recycles what leaves through, -1: none
-
-  std::size_t particles() const { return places.size() / direction.size(); }
-  /// From the opening to the back of the zone [m].
-  double depth() const { return layers * spacing; }
-  /// How many layers it ever brings by then, the half of one rounded up.
-  double layers_until(double time) const;
-};
 
 /// Of a scene with its defaults filled in.
 InletPlan inlet_plan(const Scene& scene, const Scene::Inlet& inlet);

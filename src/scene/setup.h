@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "engine/sample.h"
 #include "freshet/derived.h"
-#include "freshet/real.h"
 
 namespace freshet {
 
@@ -37,33 +37,7 @@ double single_layer_distance(const Scene& scene);
 /// What bodies are made of: adami2012 where walls.method is that, else akinci2012.
 WallMethod body_method(const Scene& scene);
 
-/// The particles that a wall is sampled with, D numbers each.
-struct WallSample {
-  std::vector<Real> x;
-  std::vector<std::int32_t> wall;  ///< place w in Scene::wall_names(); -1 - w beyond a periodic end
-};
-
-/// The samples of all bodies where they stand at the start, D numbers each.
-struct BodySample {
-  std::vector<double> x;
-  std::vector<std::int32_t> body;  ///< place in Scene::body
-};
-
-/// Where the particles start, D numbers each; ids count from 0 in this order.
-struct Sample {
-  std::vector<Real> x, v;
-  std::vector<Real> density;  ///< one a particle [kg/m^D]: rest density, or what its depth asks for
-  /// One a particle [Pa]: the weight above it where its fluid is hydrostatic, else 0. Empty if the
-  /// density tells it, or no fluid asks for it.
-  std::vector<Real> pressure;
-  std::vector<int> liquid;   ///< one a particle: place in Scene::liquids(); empty if all are of one
-  std::int64_t outside = 0;  ///< how many start outside the domain
-  std::int64_t left_out = 0;  ///< places of a fluid's lattice that a wall takes
-  /// Layers beyond the surface: one for akinci2012, at its distance, and one for monaghan2009, half
-  /// a spacing off; for adami2012, from half a spacing on, as many as the support reaches.
-  WallSample akinci2012, adami2012, monaghan2009;
-  BodySample bodies;  ///< layers beneath the surface, as body_method has them
-};
+/// Where the particles start.
 Sample sample(const Scene& scene);
 
 /// At least as many samples as the walls of the scene get; costs nothing.

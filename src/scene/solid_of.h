@@ -15,12 +15,6 @@ template <int D, class R = double> Vec<D, R> vec_of(const Vector& a) {
   return v;
 }
 
-template <int D> Vec<D, double> to_double(Vec<D> a) {
-  Vec<D, double> v{};
-  for (int k = 0; k < D; ++k) component(v, k) = double(component(a, k));
-  return v;
-}
-
 /// In the direction of `a`, which is not 0.
 template <int D> Vec<D, double> unit_of(const Vector& a) {
   const auto v = vec_of<D>(a);

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/select.h"
+#include "scene/keys.h"
+#include "sim/plan_of_scene.h"
 #include "sim/simulation_impl.h"
 
 namespace freshet {
@@ -15,6 +18,16 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
+
+std::unique_ptr<Engine> Simulation::Impl::make_engine_of(const Execution& execution) const {
+  const SolverName solver = scene.solver.name;
+  if (!has_solver(solver))
+    throw Error(Error::Kind::scene, "solver.name",
+                fmt::format("this build has no {}; compile with it in FRESHET_SOLVERS",
+                            solver_words[int(solver)]));
+  return make_engine(plan_of(scene, derived, bodies.get(), thread_count(execution.threads)),
+                     {scene.solver.backend, execution.isa});
+}
 
 Simulation::Simulation(Scene scene, const Execution& execution)
     : impl_(std::make_unique<Impl>(std::move(scene), execution)) {}
@@ -89,18 +102,19 @@ double Simulation::Impl::advance(double from, double dt, int halvings, double wh
   return gone;
 }
 
-void Simulation::Impl::note(const std::vector<Solve>& solved) {
-  solves.resize(solved.size());
-  for (std::size_t k = 0; k < solved.size(); ++k) {
-    SolveStatistics& s = solves[k];
-    s.name = solved[k].name;
-    s.tolerance = solved[k].tolerance;
+void Simulation::Impl::note(const Solves& solved) {
+  solves.resize(std::size_t(solved.count));
+  for (int k = 0; k < solved.count; ++k) {
+    const Solve& solve = solved.result[k];
+    SolveStatistics& s = solves[std::size_t(k)];
+    s.name = solve.name;
+    s.tolerance = solve.tolerance;
     ++s.solves;
-    s.iterations += s.last_iterations = solved[k].iterations;
+    s.iterations += s.last_iterations = solve.iterations;
     s.most_iterations = std::max(s.most_iterations, s.last_iterations);
-    s.not_converged += !solved[k].converged();
-    s.last_error = solved[k].error;
-    if (!(s.last_error <= s.worst_error)) s.worst_error = s.last_error;  // no number is the worst
+    s.not_converged += !solve.converged();
+    s.last_error = solve.error;
+    if (!(s.last_error <= s.worst_error)) s.worst_error = s.last_error;  // NaN is the worst
   }
 }
 

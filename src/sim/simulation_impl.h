@@ -7,28 +7,33 @@
 #include <utility>
 #include <vector>
 
+#include "bodies/bodies.h"
+#include "engine/engine.h"
 #include "freshet/simulation.h"
 #include "scene/setup.h"
-#include "sim/engines/select.h"
 #include "sim/health.h"
 
 namespace freshet {
 
 struct Simulation::Impl {
-  Impl(Scene s, const Execution& execution) : scene(with_defaults(std::move(s))) {
-    derived = derive(scene);
-    engine = make_engine(scene, derived, execution);
+  Impl(Scene s, const Execution& execution)
+      : scene(with_defaults(std::move(s))),
+        derived(derive(scene)),
+        bodies(scene.body.empty() ? nullptr : std::make_unique<Bodies>(scene)),
+        engine(make_engine_of(execution)) {
     health.emplace(scene, derived, engine->fluid());
   }
+  std::unique_ptr<Engine> make_engine_of(const Execution& execution) const;
   std::vector<StateArray> state() const;
   std::string state_digest(StateArray::Role role) const;
   class Resized;
   double next_step();
   double advance(double from, double dt, int halvings, double whole);
-  void note(const std::vector<Solve>& solves);
+  void note(const Solves& solves);
 
   Scene scene;
-  Derived derived{};
+  Derived derived;
+  std::unique_ptr<Bodies> bodies;  // null without bodies
   std::unique_ptr<Engine> engine;
   std::int64_t steps = 0;
   double time = 0, forces_asked = 0;

@@ -44,13 +44,11 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
   using Fluid = DeltaSphFluid<D>;
   WeaklyCompressibleParameters<D> c;
   Kernel<D> W;
-  bool antuono;  ///< diffusion of Antuono 2010; else of Fourtakas 2019 (none: delta = 0)
   NonPressureForces<D, B>* forces = nullptr;  ///< what else acts, if anything
 
   template <class Visit> void fields(Fluid& f, Visit visit) const {
-    f.fields(c.integrator, antuono, visit);
+    f.fields(c.integrator, c.antuono, visit);
   }
-  void prepare(B& backend, Walls<D>& walls) const { prepare_walls(backend, walls, W, c); }
 
   void step(B& backend, Fluid& fluid, Walls<D>& walls, const Tick& t) const {
     integrate_with(backend, c, fluid, walls, t, forces,
@@ -64,7 +62,7 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
   /// The pair terms of the rates, for what else asks who pushes whom.
   auto fluid_forces(const Fluid& f) const {
     DeltaSphNumbers numbers = this->numbers();
-    if (antuono) numbers.delta_h_c = 0;  // it has a pass of its own
+    if (c.antuono) numbers.delta_h_c = 0;  // it has a pass of its own
     const Vec<D> G = c.rho0 / (c.c0 * c.c0) * c.gravity;
     return DeltaSphRates{W, numbers, G, f.p, f.rho, f.v};
   }
@@ -95,16 +93,16 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
     const bool density_first = c.integrator == Integrator::symplectic_euler;
     backend.share("rho", f, f.rho);
     if (w.of_layered_bodies.n > 0) sum_moving_rate(backend, f, w);
-    if (antuono) diffuse(backend, f);
+    if (c.antuono) diffuse(backend, f);
     if (density_first)
-      sum_rates(backend, f, w, "continuity", AdvanceDensity{f, moving_rate(w), t.dt, antuono});
+      sum_rates(backend, f, w, "continuity", AdvanceDensity{f, moving_rate(w), t.dt, c.antuono});
     backend.for_each("pressure", f, [=] FRESHET_LAMBDA(int i) {
       f.p[i] = tait(B_tait, f.rho[i] / rho0, background);
     });
     backend.share("rho, p", f, f.rho, f.p);
     extrapolate_to_walls(backend, w, f, W, c);
     sum_rates(backend, f, w, "rates",
-              SetRates{f, moving_rate(w), c.liquids, c.gravity, antuono, density_first});
+              SetRates{f, moving_rate(w), c.liquids, c.gravity, c.antuono, density_first});
     ask_bodies(backend, w, f, akinci2012_forces(f, w.of_bodies),
                adami2012_forces(f, w.of_layered_bodies));
   }

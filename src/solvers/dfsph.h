@@ -29,42 +29,50 @@ template <int D> struct DfsphFluid : IncompressibleFluid<D> {
 /// [O'Donoghue and Candes 2015]: the depth that the pressure of the surface has reached then grows
 /// with the iterations, not with their root.
 template <int D, Backend<D> B, template <int> class Kernel>
-struct Dfsph : Incompressible<D, B, Kernel, DfsphFluid<D>> {
-  using Base = Incompressible<D, B, Kernel, DfsphFluid<D>>;
+struct Dfsph : Incompressible<D, B, Kernel> {
+  using Base = Incompressible<D, B, Kernel>;
   using Base::c;
-  using typename Base::Fluid;
+  using Fluid = DfsphFluid<D>;
 
   /// Algorithm 1, from the search on.
   std::array<Solve, 2> step(B& backend, Fluid& fluid, Walls<D>& w, const Tick& t) const {
     this->find_neighbors(backend, fluid, w);
     const auto f = fluid;
-    const Real dt = t.dt, rho0 = c.rho0, few = Real(0.6f) * rho0;
+    const Real dt = t.dt;
     this->density_and_factor(backend, f, w);
     backend.for_each("start", f, [=] FRESHET_LAMBDA(int i) { f.v_start[i] = f.v[i]; });
     const Solve divergence =  // algorithm 2; the surface's few neighbours are no divergence
-        remove(backend, f, w, "divergence", f.k_divergence, dt, c.divergence,
-               [=] FRESHET_LAMBDA(int i, Real rate) {
-                 return f.rho[i] > few ? dt * rate : min(dt * rate, Real(0));
-               });
+        remove(backend, f, w, "divergence", f.k_divergence, c.divergence,
+               {f.rho, c.rho0, dt, true});
     this->push_without_pressure(backend, f, w, dt, c.gravity);
     const Solve density =  // algorithm 3
-        remove(backend, f, w, "density", f.k, dt, c.density,
-               [=] FRESHET_LAMBDA(int i, Real rate) { return f.rho[i] - rho0 + dt * rate; });
+        remove(backend, f, w, "density", f.k, c.density, {f.rho, c.rho0, dt, false});
     backend.for_each("start", f,
                      [=] FRESHET_LAMBDA(int i) { f.a[i] = (f.v[i] - f.v_start[i]) / dt; });
     this->drift(backend, f, dt);
     return {divergence, density};
   }
 
+  /// What a solve removes, by the rate Drho_i/Dt [kg/m^D].
+  struct Excess {
+    Field<Real> rho;
+    Real rho0, dt;
+    bool of_divergence;  ///< dt Drho/Dt, else rho - rho0 + dt Drho/Dt
+    FRESHET_HD Real operator()(int i, Real rate) const {
+      if (!of_divergence) return rho[i] - rho0 + dt * rate;
+      return rho[i] > Real(0.6f) * rho0 ? dt * rate : min(dt * rate, Real(0));
+    }
+  };
+
   // The parts of a step: public for nvcc, which takes no lambdas from private functions.
-  /// Changes v by pressures k until excess(i, Drho_i/Dt) is gone.
-  template <class Excess>
+  /// Changes v by pressures k until the excess is gone.
   Solve remove(B& backend, const Fluid& f, const Walls<D>& w, const char* name, Field<Real> k,
-               Real dt, const Iterations& limits, const Excess& excess) const {
+               const Iterations& limits, const Excess& excess) const {
+    const Real dt = excess.dt;
     Momentum momentum(c.accelerated);
     start(backend, f, w, k, dt);
     const Solve done = solve(
-        name, limits, [&] { return measure(backend, f, w, k, dt, excess); },
+        name, limits, [&] { return measure(backend, f, w, k, excess); },
         [&](double error) { improve(backend, f, w, k, dt, Real(momentum.next(error))); });
     this->note_impulse(backend, f, w, k, dt);
     forget_unneeded(backend, f, k, dt);
@@ -94,10 +102,10 @@ struct Dfsph : Incompressible<D, B, Kernel, DfsphFluid<D>> {
   }
 
   /// The change of k that Jacobi's step is, and the error before it.
-  template <class Excess>
-  double measure(B& backend, const Fluid& fluid, const Walls<D>& w, Field<Real> k, Real dt,
+  double measure(B& backend, const Fluid& fluid, const Walls<D>& w, Field<Real> k,
                  const Excess& excess_of) const {
     const auto f = fluid;
+    const Real dt = excess_of.dt;
     // With momentum steps converge that are shorter than 4/(3 stiffness).
     const Real omega = c.accelerated ? Real(1.2f) / c.stiffness : c.relaxation(0.5f);
     this->density_rate(backend, f, w, f.v, [=] FRESHET_LAMBDA(int i, Real rate) {

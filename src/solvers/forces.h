@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "freshet/methods.h"
 #include "pairs/akinci2013.h"
 #include "pairs/morris1997.h"
 #include "solvers/adami2013.h"
@@ -20,12 +21,9 @@ inline namespace FRESHET_ISA {
 
 /// Which forces act, and their numbers. Tables are by the number of the liquid.
 template <int D> struct ForceParameters {
-  enum class Viscosity { solvers_own, monaghan2005, morris1997, weiler2018 };
-  enum class Tension { none, akinci2013, morris2000 };
-  enum class Shifting { none, lind2012, adami2013, sun2017 };
-  Viscosity viscosity;
-  Tension tension;
-  Shifting shifting;
+  ViscosityMethod viscosity;  ///< artificial: none of these, the solver's own
+  SurfaceTensionMethod tension;
+  ShiftingMethod shifting;
   bool vorticity, drag;
 
   Real support, h;  ///< support radius, half of it [m]
@@ -46,10 +44,6 @@ template <int D> struct ForceParameters {
   bool no_walls;          ///< nothing holds the fluid
   /// The papers' 0.01 h^2 makes a liquid 1.5 % thinner, however fine the particles are.
   Real eps_h2() const { return Real(1e-4f) * h * h; }
-  bool any() const {
-    return viscosity != Viscosity::solvers_own || tension != Tension::none ||
-           shifting != Shifting::none || vorticity || drag;
-  }
 };
 
 /// All of NonPressureForces, on a backend. Compiled once for each, in a file of its own.
@@ -65,15 +59,15 @@ class Forces final : public NonPressureForces<D, B> {
         vorticity_{W, c.m, c.nu_t, c.Theta, {}},
         curvature_{W, c.m, c.rho0, c.support, c.spacing, c.depth, c.no_walls, {}, {}, {}} {
     switch (c.shifting) {
-      case P::Shifting::none:
+      case ShiftingMethod::none:
         break;
-      case P::Shifting::lind2012:
+      case ShiftingMethod::lind2012:
         shifting_ = std::make_unique<Lind2012<D, B, Kernel>>(W, c.m, c.rho0, c.h, c.W_spacing);
         break;
-      case P::Shifting::adami2013:
+      case ShiftingMethod::adami2013:
         shifting_ = std::make_unique<Adami2013<D, B, Kernel>>(W, c.m, c.rho0, c.h, c.c0);
         break;
-      case P::Shifting::sun2017:
+      case ShiftingMethod::sun2017:
         shifting_ = std::make_unique<Sun2017<D, B, Kernel>>(W, c.m, c.rho0, c.h, c.W_spacing);
         break;
     }
@@ -85,9 +79,10 @@ class Forces final : public NonPressureForces<D, B> {
 
   void fields(FieldMaker<D>& maker) override {
     maker.make("push", Keep::scratch, push_);
-    if (c.tension == P::Tension::akinci2013) maker.make("surface_normal", Keep::scratch, normal_);
-    if (c.tension == P::Tension::morris2000) curvature_.fields(maker);
-    if (c.viscosity == P::Viscosity::weiler2018) implicit_.fields(maker);
+    if (c.tension == SurfaceTensionMethod::akinci2013)
+      maker.make("surface_normal", Keep::scratch, normal_);
+    if (c.tension == SurfaceTensionMethod::morris2000) curvature_.fields(maker);
+    if (c.viscosity == ViscosityMethod::weiler2018) implicit_.fields(maker);
     if (c.vorticity) vorticity_.fields(maker);
     if (shifting_) shifting_->fields(maker);
   }
@@ -96,20 +91,20 @@ class Forces final : public NonPressureForces<D, B> {
                   Field<Vec<D>> from) override {
     sum_push(backend, f, w, dt);
     add_push(backend, f);
-    if (c.viscosity != P::Viscosity::weiler2018 || !from.data) return;
+    if (c.viscosity != ViscosityMethod::weiler2018 || !from.data) return;
     start_from(backend, f, from, dt);
     solve_ = implicit_.relax(backend, f, w, dt, push_, of(f, c.mu), of(f, c.lightness));
     end_at(backend, f, from, dt);
   }
   void relax(B& backend, const Fluid& f, const Walls<D>& w, Real dt) override {
-    if (c.viscosity == P::Viscosity::weiler2018)
+    if (c.viscosity == ViscosityMethod::weiler2018)
       solve_ = implicit_.relax(backend, f, w, dt, f.v, of(f, c.mu), of(f, c.lightness));
   }
   void push(B& backend, const Fluid& f, const Walls<D>& w, Real dt) override {
     sum_push(backend, f, w, dt);
     add_push(backend, f);
     kick(backend, f, dt);
-    if (c.viscosity == P::Viscosity::weiler2018) {
+    if (c.viscosity == ViscosityMethod::weiler2018) {
       remember_v(backend, f);
       relax(backend, f, w, dt);
       add_change(backend, f, dt);
@@ -124,12 +119,12 @@ class Forces final : public NonPressureForces<D, B> {
   void bound(TimeStepBounds& bounds) const override {
     const double h = double(c.h), rho0 = double(c.rho0);
     const bool is_explicit =
-        c.viscosity == P::Viscosity::monaghan2005 || c.viscosity == P::Viscosity::morris1997;
+        c.viscosity == ViscosityMethod::monaghan2005 || c.viscosity == ViscosityMethod::morris1997;
     for (int k = 0; k < c.liquids; ++k) {
       const double rho = rho0 / double(c.lightness.of[k]);
       if (is_explicit && c.mu.of[k] > 0)
         bounds.viscous = std::min(bounds.viscous, 0.125 * h * h * rho / double(c.mu.of[k]));
-      if (c.tension != P::Tension::none && c.sigma.of[k] > 0)
+      if (c.tension != SurfaceTensionMethod::none && c.sigma.of[k] > 0)
         bounds.capillary =
             std::min(bounds.capillary,
                      0.25 * std::sqrt(rho * h * h * h / (2 * double(pi) * double(c.sigma.of[k]))));
@@ -137,8 +132,7 @@ class Forces final : public NonPressureForces<D, B> {
   }
   std::optional<Solve> solve() const override { return solve_; }
   void add_wall_forces(B& backend, const Fluid& f, const Walls<D>& w,
-                       const std::vector<int>& copy_walls, Field<Vec<D>> on_copy,
-                       WallForces<D>& forces) const override;
+                       WallForces<D, B>& forces) const override;
 
   // The parts of a step: public for nvcc, which takes no lambdas from private functions.
   /// push = what acts explicitly, by the velocities as they are.
@@ -148,10 +142,10 @@ class Forces final : public NonPressureForces<D, B> {
     backend.share("v", f, f.v);
     if (f.kind.data) backend.share("kind", f, f.kind);
     backend.for_each("forces", f, [=] FRESHET_LAMBDA(int i) { push[i] = Vec<D>{}; });
-    if (c.viscosity == P::Viscosity::monaghan2005) add_monaghan2005(backend, f, w);
-    if (c.viscosity == P::Viscosity::morris1997) add_morris1997(backend, f, w);
-    if (c.tension == P::Tension::akinci2013) add_akinci2013(backend, f, w);
-    if (c.tension == P::Tension::morris2000)
+    if (c.viscosity == ViscosityMethod::monaghan2005) add_monaghan2005(backend, f, w);
+    if (c.viscosity == ViscosityMethod::morris1997) add_morris1997(backend, f, w);
+    if (c.tension == SurfaceTensionMethod::akinci2013) add_akinci2013(backend, f, w);
+    if (c.tension == SurfaceTensionMethod::morris2000)
       curvature_.push(backend, f, w, of(f, c.sigma), of(f, c.lightness), push);
     if (c.vorticity) {
       vorticity_.turn(backend, f, dt);

@@ -20,11 +20,11 @@ template <int D> struct IisphFluid : IncompressibleFluid<D> {
 /// its rest density. The sums of d_ij p_j are the accelerations that the pressures give, and the
 /// product with the matrix is the rate of the density by them.
 template <int D, Backend<D> B, template <int> class Kernel>
-struct Iisph : Incompressible<D, B, Kernel, IisphFluid<D>> {
-  using Base = Incompressible<D, B, Kernel, IisphFluid<D>>;
+struct Iisph : Incompressible<D, B, Kernel> {
+  using Base = Incompressible<D, B, Kernel>;
   using Base::c;
-  using typename Base::Fluid;
-  using Twist = typename RigidBodies<D>::Twist;
+  using Fluid = IisphFluid<D>;
+  using typename Base::Twist;
 
   std::array<Solve, 1> step(B& backend, Fluid& fluid, Walls<D>& w, const Tick& t) const {
     this->find_neighbors(backend, fluid, w);

@@ -61,7 +61,6 @@ template <int D, Backend<D> B> struct Mueller2003 {
   Mueller2003Parameters<D> c;
 
   template <class Visit> void fields(Fluid& f, Visit visit) const { f.fields(visit); }
-  void prepare(B&, Walls<D>&) const {}
 
   void step(B& backend, Fluid& f, Walls<D>&, const Tick& t) const {
     if (!c.article)

@@ -11,13 +11,14 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-template <int D> class WallForces;
+template <int D, class B> class WallForces;
 
 /// Allots the memory of a fluid's field.
 template <int D> struct FieldMaker {
   virtual ~FieldMaker() = default;
   virtual void make(const char* name, Keep keep, Field<Real>& field) = 0;
   virtual void make(const char* name, Keep keep, Field<Vec<D>>& field) = 0;
+  virtual void make(const char* name, Keep keep, Field<int>& field) = 0;
 };
 
 /// What acts on a fluid beside pressure, gravity and walls: viscosity, surface tension, vorticity,
@@ -45,10 +46,9 @@ template <int D, class B> struct NonPressureForces {
   virtual void bound(TimeStepBounds& bounds) const = 0;
   /// What the last step's implicit solve came to; none where nothing is solved.
   virtual std::optional<Solve> solve() const = 0;
-  /// The forces on walls that follow from these; copy_walls and on_copy as WallForces has them.
+  /// Adds the forces on walls that follow from these.
   virtual void add_wall_forces(B& backend, const Fluid& f, const Walls<D>& w,
-                               const std::vector<int>& copy_walls, Field<Vec<D>> on_copy,
-                               WallForces<D>& forces) const = 0;
+                               WallForces<D, B>& forces) const = 0;
 };
 
 }  // namespace FRESHET_ISA

@@ -19,10 +19,10 @@ template <int D> struct PbfFluid : IncompressibleFluid<D> {
 /// then correct their places until none is compressed; what that took is the velocity's change.
 /// Pressures are not negative, so that the artificial pressure of the paper's sec. 4 is not needed.
 template <int D, Backend<D> B, template <int> class Kernel>
-struct Pbf : Incompressible<D, B, Kernel, PbfFluid<D>> {
-  using Base = Incompressible<D, B, Kernel, PbfFluid<D>>;
+struct Pbf : Incompressible<D, B, Kernel> {
+  using Base = Incompressible<D, B, Kernel>;
   using Base::c;
-  using typename Base::Fluid;
+  using Fluid = PbfFluid<D>;
 
   std::array<Solve, 1> step(B& backend, Fluid& fluid, Walls<D>& w, const Tick& t) const {
     const Real dt = t.dt;

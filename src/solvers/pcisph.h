@@ -19,11 +19,11 @@ template <int D> struct PcisphFluid : IncompressibleFluid<D> {
 /// Predictive-corrective incompressible SPH [Solenthaler and Pajarola 2009], algorithm 2: predict
 /// where the particles go, and correct the pressures, from zero on, by the density found there.
 template <int D, Backend<D> B, template <int> class Kernel>
-struct Pcisph : Incompressible<D, B, Kernel, PcisphFluid<D>> {
-  using Base = Incompressible<D, B, Kernel, PcisphFluid<D>>;
+struct Pcisph : Incompressible<D, B, Kernel> {
+  using Base = Incompressible<D, B, Kernel>;
   using Base::c;
   using Base::W;
-  using typename Base::Fluid;
+  using Fluid = PcisphFluid<D>;
 
   std::array<Solve, 1> step(B& backend, Fluid& fluid, Walls<D>& w, const Tick& t) const {
     this->find_neighbors(backend, fluid, w);

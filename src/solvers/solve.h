@@ -3,21 +3,30 @@
 
 namespace freshet {
 
-/// How far a solve goes.
+/// The limits of a solve.
 struct Iterations {
   double tolerance;  ///< of the error
   int least, most;
 };
 
-/// What a solve came to. The error is a mean over the fluid: see SolveStatistics.
+/// The result of a solve. The error is a mean over the fluid: see SolveStatistics.
 struct Solve {
-  const char* name;
-  int iterations;
-  double error, tolerance;
-  bool converged() const { return error <= tolerance; }  // no number is none
+  const char* name = "";
+  int iterations = 0;
+  double error = 0, tolerance = 0;
+  bool converged() const { return error <= tolerance; }  // false for NaN
 };
 
-/// error = measure(), then improve(error), until the error is within the tolerance, or no number.
+/// The results of the solves of a step.
+struct Solves {
+  Solve result[3];
+  int count = 0;
+  void add(const Solve& s) { result[count++] = s; }
+  const Solve* begin() const { return result; }
+  const Solve* end() const { return result + count; }
+};
+
+/// Repeats error = measure() and improve(error), until the error is within the tolerance or NaN.
 template <class Measure, class Improve>
 Solve solve(const char* name, const Iterations& c, const Measure& measure, const Improve& improve) {
   for (int n = 1;; ++n) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "pairs/akinci2012.h"
 #include "pairs/becker2007_forces.h"
 #include "pairs/density.h"
 #include "pairs/reaction.h"
@@ -34,7 +35,6 @@ template <int D, Backend<D> B, template <int> class Kernel> struct Wcsph {
   NonPressureForces<D, B>* forces = nullptr;  ///< what else acts, if anything
 
   template <class Visit> void fields(Fluid& f, Visit visit) const { f.fields(c.integrator, visit); }
-  void prepare(B& backend, Walls<D>& walls) const { prepare_walls(backend, walls, W, c); }
 
   void step(B& backend, Fluid& fluid, Walls<D>& walls, const Tick& t) const {
     integrate_with(backend, c, fluid, walls, t, forces, [&] { accelerate(backend, fluid, walls); });

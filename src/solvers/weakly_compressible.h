@@ -11,7 +11,6 @@
 #include "solvers/body_coupling.h"
 #include "solvers/integrators.h"
 #include "solvers/non_pressure_forces.h"
-#include "solvers/wall_samples.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
@@ -27,6 +26,7 @@ template <int D> struct WeaklyCompressibleParameters {
   Vec<D> gravity;  ///< [m/s^2]
   Confinement<D> confine;
   Integrator integrator;
+  bool antuono;  ///< of delta_sph: diffusion of Antuono 2010, else of Fourtakas 2019
 
   Real eps_h2() const { return Real(0.01f) * h * h; }
   /// B in p = B((rho/rho0)^7 - 1), so that sound has c0: B = rho0 c0^2/7

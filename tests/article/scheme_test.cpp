@@ -2,7 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "article/article_scene.h"
-#include "sim/parameters.h"
+#include "engine/parameters.h"
+#include "sim/plan_of_scene.h"
 
 namespace freshet {
 namespace {
@@ -16,8 +17,8 @@ TEST(ArticleScheme, DiffersFromThePapersInFiveThings) {
   paper_s.particles.mass.reset();
   paper_s.places.clear();
   const Derived of_article = derive(article_s), of_paper = derive(paper_s);
-  const auto article = mueller2003_parameters<2>(article_s, of_article);
-  const auto paper = mueller2003_parameters<2>(paper_s, of_paper);
+  const auto article = mueller2003_parameters<2>(plan_of(article_s, of_article, nullptr, 1));
+  const auto paper = mueller2003_parameters<2>(plan_of(paper_s, of_paper, nullptr, 1));
 
   EXPECT_EQ(Real(10), article.spiky_factor);  // 1
   EXPECT_EQ(Real(30), paper.spiky_factor);

@@ -6,7 +6,9 @@
 #include <random>
 
 #include "backend/cpu/cpu_backend.h"
+#include "backend/cpu/cpu_sets_impl.h"
 #include "backend/reference/reference_backend.h"
+#include "backend/reference/reference_sets_impl.h"
 #include "kernels/poly6.h"
 #include "pairs/density.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "backend/reference/reference_backend.h"
+#include "backend/reference/reference_sets_impl.h"
 
 #include <gtest/gtest.h>
 

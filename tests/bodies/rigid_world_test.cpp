@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "bodies/bodies.h"
+#include "scene/body_shape.h"
 #include "core/rotation.h"
 #include "mesh/mesh_distance.h"
 #include "scene/body_mesh.h"

@@ -9,7 +9,7 @@
 #include "cli/process.h"
 #include "freshet/real.h"
 #include "freshet/scene.h"
-#include "sim/engines/select.h"
+#include "engine/select.h"
 
 namespace freshet::test {
 namespace {

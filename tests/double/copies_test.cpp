@@ -87,8 +87,9 @@ template <int D> auto wcsph(int side) {
   return Wcsph<D, ReferenceBackend<D>, WendlandC2>{c, WendlandC2<D>(c.support)};
 }
 template <int D> auto delta_sph(int side, bool antuono) {
-  const auto c = parameters<D>(side);
-  return DeltaSph<D, ReferenceBackend<D>, WendlandC2>{c, WendlandC2<D>(c.support), antuono};
+  auto c = parameters<D>(side);
+  c.antuono = antuono;
+  return DeltaSph<D, ReferenceBackend<D>, WendlandC2>{c, WendlandC2<D>(c.support)};
 }
 template <int D> auto mueller2003(int side) {
   auto c = mueller2003_patch<D>(Integrator::symplectic_euler);

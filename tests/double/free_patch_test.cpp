@@ -48,7 +48,8 @@ auto wcsph(Integrator integrator) {
 }
 auto delta_sph(Integrator integrator) {
   auto c = weakly_compressible_patch<2>(integrator);
-  return DeltaSph<2, Backend2, WendlandC2>{c, WendlandC2<2>(c.support), true};
+  c.antuono = true;
+  return DeltaSph<2, Backend2, WendlandC2>{c, WendlandC2<2>(c.support)};
 }
 
 TEST(SymplecticEuler, IsOfFirstOrder) {

@@ -7,7 +7,7 @@
 #include "io/checkpoint.h"
 #include "scene/body_shape.h"
 #include "scene/expressions.h"
-#include "sim/engines/select.h"
+#include "engine/select.h"
 #include "sim/small_scenes.h"
 
 namespace freshet::test {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "scene/expressions.h"
-#include "sim/engines/select.h"
+#include "engine/select.h"
 #include "sim/small_scenes.h"
 
 namespace freshet::test {

@@ -9,7 +9,7 @@
 
 #include "freshet/derived.h"
 #include "io/checkpoint.h"
-#include "sim/engines/select.h"
+#include "engine/select.h"
 #include "sim/observables.h"
 #include "sim/small_scenes.h"
 

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "io/checkpoint.h"
-#include "sim/engines/select.h"
+#include "engine/select.h"
 #include "sim/small_scenes.h"
 
 namespace freshet::test {

@@ -3,7 +3,8 @@
 
 #include "cli/files.h"
 #include "mesh/meshes.h"
-#include "sim/engines/select.h"
+#include "engine/select.h"
+#include "scene/setup.h"
 #include "sim/small_scenes.h"
 
 namespace freshet::test {

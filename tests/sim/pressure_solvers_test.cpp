@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "sim/engines/select.h"
+#include "engine/select.h"
 #include "sim/small_scenes.h"
 
 namespace freshet::test {

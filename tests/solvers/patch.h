@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "backend/reference/reference_backend.h"
+#include "backend/reference/reference_sets_impl.h"
 #include "solvers/delta_sph.h"
 #include "solvers/mueller2003.h"
 #include "solvers/wcsph.h"

@@ -39,7 +39,7 @@ template <int D> class SlicedLists {
     far_ = 0;
     for (const Source<D>& s : sources) far_ = std::max(far_, s.offset + s.grid->n());
     threads.parts(chunks(n), [&](int chunk) {
-      build_chunk(chunk, h * h, targets, sources, workers_[std::size_t(omp_get_thread_num())]);
+      build_chunk(chunk, h * h, targets, sources, workers_[std::size_t(Threads::current())]);
     });
   }
 

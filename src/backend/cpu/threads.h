@@ -1,32 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <omp.h>
-
 #include <algorithm>
-#include <exception>
 
 namespace freshet {
-inline namespace FRESHET_ISA {
 
 /// Runs loops on a fixed number of threads. What a loop computes must not depend on their number.
 class Threads {
  public:
   explicit Threads(int count) : count_(count) {}
   int count() const { return count_; }
+  /// The number of the calling thread within a loop, 0 to count - 1.
+  static int current();
 
-  /// f(part) for part = 0 ... parts - 1, each on some thread.
+  /// f(part) for part = 0 ... parts - 1, each on some thread. The first exception is rethrown.
   template <class F> void parts(int parts, const F& f) const {
-    std::exception_ptr error;
-#pragma omp parallel for num_threads(count_) schedule(dynamic, 1) if (parts > 1)
-    for (int part = 0; part < parts; ++part) {
-      try {
-        f(part);
-      } catch (...) {  // an exception must not leave the loop
-#pragma omp critical(freshet_error)
-        error = std::current_exception();
-      }
-    }
-    if (error) std::rethrow_exception(error);
+    run(parts, &f, [](const void* context, int part) { (*static_cast<const F*>(context))(part); });
   }
 
   /// f(begin, end) over [0, n), in blocks that do not depend on the number of threads.
@@ -36,8 +24,10 @@ class Threads {
   static constexpr int block = 2048;
 
  private:
+  /// The loop itself is compiled once: an indirect call per part costs nothing beside the part.
+  void run(int parts, const void* context, void (*part)(const void*, int)) const;
+
   int count_;
 };
 
-}  // namespace FRESHET_ISA
 }  // namespace freshet

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "backend/reference/cell_grid.h"
-#include "freshet/scene.h"
+#include "freshet/methods.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "core/field.h"
-#include "scene/openings.h"
-#include "sim/inlet_clock.h"
+#include "boundary/opening.h"
+#include "engine/inlet_clock.h"
+#include "engine/parameters.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
@@ -20,19 +20,21 @@ inline namespace FRESHET_ISA {
 ///   x_counted   where the counters last saw it [m]
 template <int D> class Flows {
  public:
-  explicit Flows(const Scene& s) {
-    for (const Scene::Inlet& in : s.inlet) {
-      inlets_.emplace_back(inlet_plan(s, in));
+  explicit Flows(const EnginePlan& p) {
+    for (const InletPlan& plan : p.inlets) {
+      inlets_.emplace_back(plan);
       first_target_.push_back(int(targets_.size()));
       const InletClock& inlet = inlets_.back();
       targets_.resize(targets_.size() + std::size_t(inlet.slots()) * inlet.plan().particles());
     }
-    for (const Scene::Outlet& out : s.outlet) outlets_.push_back(solid_of<D, double>(out));
-    for (const Scene::Counter& c : s.counter) counters_.push_back(opening_of<D>(c));
+    for (const SolidPlan& outlet : p.outlets) outlets_.push_back(solid_of<D, double>(outlet));
+    for (const OpeningPlan& o : p.counters)
+      counters_.push_back({vec_of<D>(o.center), vec_of<D>(o.direction), vec_of<D>(o.across),
+                           vec_of<D>(o.up), o.half_width, o.half_height, o.radius});
     counts_.resize(outlets_.size() + counters_.size());
     for (int k = 0; k < D; ++k)
-      if (s.periodic(k))
-        component(period_, k) = s.domain.max[std::size_t(k)] - s.domain.min[std::size_t(k)];
+      if (p.periodic[std::size_t(k)])
+        component(period_, k) = p.max[std::size_t(k)] - p.min[std::size_t(k)];
   }
   bool change_particles() const { return !inlets_.empty() || !outlets_.empty(); }
   bool any() const { return change_particles() || !counters_.empty(); }

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/openings.h"
+#include "engine/plan.h"
 
 namespace freshet {
 

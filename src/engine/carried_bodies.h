@@ -6,8 +6,7 @@
 #include "bodies/bodies.h"
 #include "boundary/wall_sets.h"
 #include "core/rotation.h"
-#include "freshet/time_step.h"
-#include "sim/engine.h"
+#include "engine/plan.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
@@ -23,29 +22,29 @@ template <int D> class CarriedBodies {
  public:
   using Twist = typename RigidBodies<D>::Twist;
 
-  CarriedBodies(const EngineInput& in, Walls<D>& walls, ForceMoment moment)
-      : bodies_(in.scene), moment_(moment) {
-    const BodySample& sample = in.sample.bodies;
+  CarriedBodies(const EnginePlan& p, Walls<D>& walls)
+      : bodies_(*p.bodies), moment_(moment_of(p)), layered_(p.layered_bodies) {
+    const BodySample& sample = p.sample.bodies;
     for (std::size_t k = 0; k < sample.body.size(); ++k) {
       const auto b = std::size_t(sample.body[k]);
       Vec<3, double> x{sample.x[D * k], sample.x[D * k + 1], 0};
       if (D == 3) x.z = sample.x[D * k + 2];
-      local_.push_back(x - bodies_.shape(b).center);
+      const auto center = bodies_.center(b);
+      local_.push_back(x - Vec<3, double>{center[0], center[1], center[2]});
       rigid_.body_of.push_back(int(b));
     }
     rigid_.arm.resize(local_.size());
     rigid_.all.resize(bodies_.size());
-    rigid_.m = Real(in.derived.mass);
+    rigid_.m = Real(p.mass);
     rigid_.respond = bodies_.any_free();
-    for (int k = 0; k < D; ++k)
-      if (in.scene.periodic(k)) {
-        periodic_.push_back(k);
-        low_.push_back(in.scene.domain.min[std::size_t(k)]);
-        length_.push_back(in.scene.domain.max[std::size_t(k)] - low_.back());
+    for (std::size_t k = 0; k < D; ++k)
+      if (p.periodic[k]) {
+        periodic_.push_back(int(k));
+        low_.push_back(p.min[k]);
+        length_.push_back(p.max[k] - low_.back());
       }
     walls.bodies = &rigid_;
-    layered_ = body_method(in.scene) == WallMethod::adami2012;
-    rigid_.first_id = (layered_ ? in.sample.adami2012 : in.sample.akinci2012).wall.size();
+    rigid_.first_id = (layered_ ? p.sample.adami2012 : p.sample.akinci2012).wall.size();
   }
   CarriedBodies(const CarriedBodies&) = delete;
 
@@ -96,8 +95,7 @@ template <int D> class CarriedBodies {
       for (int i = 0; i < freedoms; ++i)
         for (int j = 0; j < freedoms; ++j)
           body.mobility[i][j] = mobility[std::size_t(axis(i))][std::size_t(axis(j))];
-      const Load pull = bodies_.pull(b, time);
-      body.pull = body.answer(twist(pull.force, pull.torque));
+      body.pull = body.answer(flat(bodies_.pull(b, time)));
       const BodyState start = bodies_.at(b, time, 0), end = bodies_.at(b, time, dt);
       body.acceleration = body.answer(body.force) + body.pull +
                           1 / dt *
@@ -129,6 +127,11 @@ template <int D> class CarriedBodies {
   }
 
  private:
+  static ForceMoment moment_of(const EnginePlan& p) {
+    if (p.incompressible()) return {p.solver == SolverName::pbf ? 1.0 : 0.0, false};
+    const bool leapfrog = p.integrator == Integrator::leapfrog;
+    return {leapfrog ? 1 : p.integrator == Integrator::verlet ? 0.5 : 0, leapfrog};
+  }
   static constexpr int freedoms = RigidBodies<D>::freedoms;
   /// Which of six numbers a twist's i-th is.
   static constexpr int axis(int i) { return D == 3 || i < 2 ? i : 5; }
@@ -177,7 +180,7 @@ template <int D> class CarriedBodies {
     return x;
   }
 
-  Bodies bodies_;
+  Bodies& bodies_;
   ForceMoment moment_;
   bool layered_;
   RigidBodies<D> rigid_;

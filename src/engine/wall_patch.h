@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "core/vec.h"
-#include "freshet/simulation.h"
-#include "scene/solid_of.h"
+#include "core/field.h"
+#include "freshet/particles.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
@@ -14,9 +13,9 @@ template <int D> struct PatchOnWall {
   double cell, reach;  ///< how wide a sample's share of the wall is; how far samples stand off [m]
 
   PatchOnWall(const WallPatch& patch, double sample_cell, double support)
-      : center(vec_of<D>(patch.center)), cell(sample_cell), reach(support) {
+      : center(vector(patch.center)), cell(sample_cell), reach(support) {
     for (int d = 0; d < D; ++d) {
-      axis[d] = vec_of<D>(patch.axes[std::size_t(d)]);
+      axis[d] = vector(patch.axes[std::size_t(d)]);
       half[d] = patch.half[std::size_t(d)];
     }
   }
@@ -37,6 +36,10 @@ template <int D> struct PatchOnWall {
   }
 
  private:
+  static Vec<D, double> vector(const Vector& a) {
+    if constexpr (D == 3) return {a[0], a[1], a[2]};
+    else return {a[0], a[1]};
+  }
   FRESHET_HD double covered(double away, double half_length) const {
     const double end = min(half_length, away + cell / 2),
                  start = max(-half_length, away - cell / 2);

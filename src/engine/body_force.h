@@ -4,21 +4,21 @@
 #include <cmath>
 
 #include "core/field.h"
-#include "freshet/scene.h"
-#include "scene/expressions.h"
+#include "engine/plan.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The scene's body force b(x, t) [m/s^2], an acceleration beside the solver's own.
+/// The body force b(x, t) [m/s^2], an acceleration beside the solver's own.
 template <int D> class BodyForce {
  public:
-  explicit BodyForce(const Scene& s)
-      : b_(s.domain.body_force),
-        halved_(!s.solver.incompressible() && s.integrator() != Integrator::symplectic_euler) {}
+  explicit BodyForce(const EnginePlan& p)
+      : b_(p.body_force),
+        varies_(p.body_force_varies),
+        halved_(b_ && !p.incompressible() && p.integrator != Integrator::symplectic_euler) {}
 
   /// Whether a step takes half of it at its beginning and half at its end.
-  bool halved() const { return halved_ && !b_.empty(); }
+  bool halved() const { return halved_; }
   /// v + dt b(x, time)
   void push(const Particles<D>& f, double time, double dt) {
     each(f, time, [&](int i, Vec<D, double> b) {
@@ -34,10 +34,10 @@ template <int D> class BodyForce {
 
  private:
   template <class Visit> void each(const Particles<D>& f, double time, const Visit& visit) {
-    if (b_.empty()) return;
+    if (!b_) return;
     Vec<D, double> b{};
     for (int i = 0; i < f.n; ++i) {
-      if (i == 0 || b_.depends_on_place()) {
+      if (i == 0 || varies_) {
         double x[3] = {}, value[3];
         for (int k = 0; k < D; ++k) x[k] = double(component(f.x[i], k));
         b_(x, time, value);
@@ -47,8 +47,8 @@ template <int D> class BodyForce {
     }
   }
 
-  Expressions b_;
-  bool halved_;
+  std::function<void(const double (&x)[3], double t, double* b)> b_;
+  bool varies_, halved_;
 };
 
 }  // namespace FRESHET_ISA

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "freshet/real.h"
+#include "freshet/vector.h"
+
+namespace freshet {
+
+/// A read-only view of the fluid, valid until the next step. `dimension` numbers a particle in x
+/// and v; every array has the same order.
+struct ParticleView {
+  int dimension = 2;
+  std::span<const std::uint64_t> id;
+  std::span<const Real> x, v;      ///< position [m], velocity [m/s]
+  std::span<const Real> density;   ///< [kg/m^D], as computed in the last step; at the start at rest
+  std::span<const Real> pressure;  ///< the same of the pressure [Pa; N/m in 2D]
+  std::span<const int> liquid;     ///< place in Scene::liquids(); empty where there is but one
+  int liquid_of(std::size_t i) const { return liquid.empty() ? 0 : liquid[i]; }
+  std::size_t size() const { return id.size(); }
+};
+
+/// A rectangle of a wall, in 2D a stretch of it.
+struct WallPatch {
+  Vector center;             ///< [m]
+  Vector half;               ///< half its lengths along its axes, 0 across it [m]
+  std::vector<Vector> axes;  ///< D unit vectors at right angles
+};
+
+}  // namespace freshet

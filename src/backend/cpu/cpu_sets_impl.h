@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+/// The definitions of cpu_sets.h. Included by the file that compiles them, and by tests.
+#pragma once
+#include <cstring>
+#include <utility>
+
+#include "backend/cpu/cpu_sets.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+template <int D> CpuSets<D>::CpuSets(int threads) : threads_(threads) {}
+template <int D> CpuSets<D>::CpuSets(CpuSets&&) noexcept = default;
+template <int D> CpuSets<D>::~CpuSets() = default;
+
+template <int D>
+void CpuSets<D>::add_set(Particles<D>& set, int n, typename Copies<D>::Rules rules) {
+  set.n = n;
+  set.set = int(sets_.size());
+  sets_.push_back(std::make_unique<Set>(std::move(rules)));
+  sets_.back()->room = n;
+}
+
+template <int D> void CpuSets<D>::add_field(const Particles<D>& set, FieldOfSet field) {
+  Memory& m = of(set).memory.emplace_back();
+  m.field = field;
+  reserve(of(set), m);
+  clear(m, 0, set.n + lanes);
+}
+
+template <int D> void CpuSets<D>::reserve(const Set& set, Memory& m) {
+  const std::size_t room = std::size_t(set.room) * std::size_t(set.copies.room()) + lanes;
+  m.field.point(m.field.field, m.data.reserve(room * m.field.bytes));
+}
+/// Zeroes a range. The pages go to the threads that use them.
+template <int D> void CpuSets<D>::clear(Memory& m, int begin, int end) {
+  threads_.blocks(end - begin, [&](int b, int e) {
+    std::memset(m.data.get() + std::size_t(begin + b) * m.field.bytes, 0,
+                std::size_t(e - b) * m.field.bytes);
+  });
+}
+
+template <int D> void CpuSets<D>::copy_kept(const char* name, const Particles<D>& p, bool save) {
+  const auto timer = timings_.time(name, p.n);
+  for (Memory& m : of(p).memory) {
+    if (m.field.keep != Keep::kept) continue;
+    const std::size_t bytes = m.field.bytes;
+    std::byte *saved = m.saved.reserve(std::size_t(p.n) * bytes), *data = m.data.get();
+    threads_.blocks(p.n, [&](int b, int e) {
+      const std::size_t first = std::size_t(b) * bytes;
+      std::memcpy((save ? saved : data) + first, (save ? data : saved) + first,
+                  std::size_t(e - b) * bytes);
+    });
+  }
+}
+
+template <int D>
+void CpuSets<D>::edit(const char* name, Particles<D>& p, std::span<const int> gone, int more) {
+  const auto timer = timings_.time(name, p.n);
+  Set& set = of(p);
+  const int left = p.n - int(gone.size()), n = left + more;
+  const bool grows = n > set.room;
+  set.room = roomier(n, set.room);
+  for (Memory& m : set.memory) {
+    fill_gaps(m.data.get(), m.field.bytes, gone, p.n);
+    if (grows) {
+      const Buffer<std::byte> before = std::exchange(m.data, {});
+      reserve(set, m);
+      threads_.blocks(left, [&](int b, int e) {
+        const std::size_t first = std::size_t(b) * m.field.bytes;
+        std::memcpy(m.data.get() + first, before.get() + first, std::size_t(e - b) * m.field.bytes);
+      });
+    }
+    clear(m, left, n + lanes);
+  }
+  p.n = n;
+  p.copies = 0;
+  set.copies.forget();
+}
+
+template <int D>
+void CpuSets<D>::search(const char* name, Real support_radius, Particles<D>& moving,
+                        std::initializer_list<const Particles<D>*> fixed) {
+  const auto timer = timings_.time(name, moving.n);
+  sort(support_radius, moving);
+  copy(support_radius, moving);
+  for (const Particles<D>* set : fixed) sort_if_needed(support_radius, *set);
+  list(support_radius, moving, moving);
+  for (const Particles<D>* set : fixed) list(support_radius, moving, *set);
+}
+
+template <int D>
+void CpuSets<D>::list_neighbors(const char* name, Real support_radius, const Particles<D>& targets,
+                                const Particles<D>& sources) {
+  const auto timer = timings_.time(name, targets.n);
+  sort_if_needed(support_radius, targets);
+  list(support_radius, targets, sources);
+}
+
+template <int D>
+template <class T>
+void CpuSets<D>::share_blocks(const Particles<D>& p, Field<T> field) {
+  const auto timer = timings_.time("share", p.copies);
+  const Copies<D>& copies = of(p).copies;
+  threads_.blocks(p.copies, [&](int b, int e) { copies.share(p, field, b, e); });
+}
+template <int D> void CpuSets<D>::share_field(const Particles<D>& p, Field<Real> field) {
+  share_blocks(p, field);
+}
+template <int D> void CpuSets<D>::share_field(const Particles<D>& p, Field<int> field) {
+  share_blocks(p, field);
+}
+template <int D> void CpuSets<D>::share_field(const Particles<D>& p, Field<Vec<D>> field) {
+  share_blocks(p, field);
+}
+
+template <int D> void CpuSets<D>::sort(Real h, const Particles<D>& p) {
+  Set& set = of(p);
+  set.grid.build(threads_, h, p);
+  set.grid.write(threads_, p);
+  for (const Memory& m : set.memory) {
+    std::byte* data = m.data.get();
+    if (m.field.keep != Keep::kept || data == static_cast<void*>(p.x.data) ||
+        data == static_cast<void*>(p.id.data))
+      continue;               // the grid writes x and id
+    switch (m.field.bytes) {  // copies of a known size are single moves
+      case 4:
+        permute<4>(set.grid.order(), p.n, data);
+        break;
+      case 8:
+        permute<8>(set.grid.order(), p.n, data);
+        break;
+      case 12:
+        permute<12>(set.grid.order(), p.n, data);
+        break;
+      case 16:
+        permute<16>(set.grid.order(), p.n, data);
+        break;
+      default:
+        permute<24>(set.grid.order(), p.n, data);
+        break;
+    }
+  }
+  set.sorted = true;
+}
+template <int D> void CpuSets<D>::sort_if_needed(Real h, const Particles<D>& p) {
+  if (p.moves || !of(p).sorted) sort(h, p);
+}
+
+/// Copies stand behind the particles, sorted like them.
+template <int D> void CpuSets<D>::copy(Real h, Particles<D>& p) {
+  Set& set = of(p);
+  if (set.copies.none()) return;
+  set.copies.make(p, h);
+  set.copies.place(p);
+  const Particles<D> all{set.copies.size(), 0, p.set, {p.id.data + p.n}, {p.x.data + p.n}, {}};
+  set.copy_grid.build(threads_, h, all);
+  set.copies.permute(set.copy_grid.order());
+  set.copies.place(p);
+}
+
+template <int D>
+template <std::size_t bytes>
+void CpuSets<D>::permute(const int* order, int n, std::byte* data) {
+  struct Value {
+    std::byte b[bytes];
+  };
+  auto* field = reinterpret_cast<Value*>(data);
+  auto* spare = reinterpret_cast<Value*>(spare_.reserve(std::size_t(n) * bytes));
+  threads_.blocks(n, [&](int b, int e) {
+    for (int i = b; i < e; ++i) spare[i] = field[order[i]];
+  });
+  threads_.blocks(
+      n, [&](int b, int e) { std::memcpy(field + b, spare + b, std::size_t(e - b) * bytes); });
+}
+
+template <int D>
+void CpuSets<D>::list(Real h, const Particles<D>& targets, const Particles<D>& sources) {
+  if (targets.n == 0 || sources.n == 0) return;
+  auto& lists = of(targets).lists;
+  if (lists.size() < sets_.size()) lists.resize(sets_.size());
+  auto& one = lists[std::size_t(sources.set)];
+  if (!one) one = std::make_unique<SlicedLists<D>>();
+  const Set& set = of(sources);
+  const Source<D> all[] = {{&set.grid, 0}, {&set.copy_grid, sources.n}};
+  one->build(threads_, h, of(targets).grid,
+             std::span(all, sources.copies > 0 ? std::size_t(2) : std::size_t(1)));
+}
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

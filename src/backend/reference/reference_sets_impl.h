@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+/// The definitions of reference_sets.h. Included by the file that compiles them, and by tests.
+#pragma once
+#include <algorithm>
+#include <utility>
+
+#include "backend/reference/reference_sets.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+template <int D>
+ReferenceSets<D>::ReferenceSets(Search search, NeighborOrder order)
+    : search_(search), order_(order) {}
+template <int D> ReferenceSets<D>::ReferenceSets(ReferenceSets&&) noexcept = default;
+template <int D> ReferenceSets<D>::~ReferenceSets() = default;
+
+template <int D>
+void ReferenceSets<D>::add_set(Particles<D>& set, int n, typename Copies<D>::Rules rules) {
+  set.n = n;
+  set.set = int(copies_.size());
+  copies_.emplace_back(std::move(rules));
+  room_.push_back(n);
+}
+
+template <int D> void ReferenceSets<D>::add_field(const Particles<D>& set, FieldOfSet field) {
+  Memory memory{set.set, field, {}, {}};
+  memory.data = room_for(room_[std::size_t(set.set)], memory);
+  field.point(field.field, memory.data.get());
+  memory_.push_back(std::move(memory));
+}
+template <int D>
+std::unique_ptr<std::byte[]> ReferenceSets<D>::room_for(int particles, const Memory& m) const {
+  const std::size_t each = std::size_t(copies_[std::size_t(m.set)].room()) * m.field.bytes;
+  return std::make_unique<std::byte[]>(std::size_t(particles) * each);
+}
+
+template <int D> void ReferenceSets<D>::save(const char* name, const Particles<D>& p) {
+  const auto timer = timings_.time(name, p.n);
+  for (Memory& m : memory_)
+    if (m.set == p.set && m.field.keep == Keep::kept)
+      m.saved.assign(m.data.get(), m.data.get() + std::size_t(p.n) * m.field.bytes);
+}
+template <int D> void ReferenceSets<D>::restore(const char* name, const Particles<D>& p) {
+  const auto timer = timings_.time(name, p.n);
+  for (Memory& m : memory_)
+    if (m.set == p.set && m.field.keep == Keep::kept)
+      std::copy(m.saved.begin(), m.saved.end(), m.data.get());
+}
+
+template <int D>
+void ReferenceSets<D>::edit(const char* name, Particles<D>& p, std::span<const int> gone,
+                            int more) {
+  const auto timer = timings_.time(name, p.n);
+  const int left = p.n - int(gone.size()), n = left + more;
+  int& room = room_[std::size_t(p.set)];
+  const bool grows = n > room;
+  room = roomier(n, room);
+  for (Memory& m : memory_) {
+    if (m.set != p.set) continue;
+    const std::size_t bytes = m.field.bytes;
+    close_gaps(m.data.get(), bytes, gone, p.n);
+    if (grows) {
+      auto larger = room_for(room, m);
+      std::copy_n(m.data.get(), std::size_t(left) * bytes, larger.get());
+      m.data = std::move(larger);
+      m.field.point(m.field.field, m.data.get());
+    }
+    std::fill_n(m.data.get() + std::size_t(left) * bytes, std::size_t(more) * bytes, std::byte(0));
+  }
+  p.n = n;
+  p.copies = 0;
+  copies_[std::size_t(p.set)].forget();
+}
+
+template <int D>
+void ReferenceSets<D>::search(const char* name, Real support_radius, Particles<D>& moving,
+                              std::initializer_list<const Particles<D>*> fixed) {
+  const auto timer = timings_.time(name, moving.n);
+  Copies<D>& copies = copies_[std::size_t(moving.set)];
+  copies.make(moving, support_radius);
+  copies.place(moving);
+  searched_.resize(copies_.size());
+  searched_[std::size_t(moving.set)].assign(moving.x.data,
+                                            moving.x.data + moving.n + moving.copies);
+  list(support_radius, moving, moving);
+  for (const Particles<D>* set : fixed) list(support_radius, moving, *set);
+}
+
+template <int D>
+void ReferenceSets<D>::list_neighbors(const char* name, Real support_radius,
+                                      const Particles<D>& targets, const Particles<D>& sources) {
+  const auto timer = timings_.time(name, targets.n);
+  Particles<D> as_found = sources;
+  as_found.x.data = searched_.at(std::size_t(sources.set)).data();
+  list(support_radius, targets, as_found);
+}
+
+template <int D>
+void ReferenceSets<D>::list(Real h, const Particles<D>& targets, const Particles<D>& sources) {
+  if (targets.n == 0 || sources.n == 0) return;
+  lists_[{targets.set, sources.set}].build(search_, order_, h, targets, sources);
+}
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/state_array.h"
+#include "freshet/frame.h"
+#include "freshet/particles.h"
+#include "freshet/report.h"
+#include "freshet/time_step.h"
+#include "solvers/solve.h"
+
+namespace freshet {
+
+struct EnginePlan;
+
+/// A solver on a backend, as the simulation sees it: no template, no instruction set, no threads.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  /// A step of dt from `time` on [s]. Returns the results of its solves.
+  virtual Solves step(double time, double dt) = 0;
+  /// After an accepted step that ended at `time`: moves the particles that inlets hold, counts, and
+  /// adds and removes particles.
+  virtual void flow(double time, double dt) = 0;
+  /// The particles so far through each of Scene::flow_names(), then those waiting at each inlet.
+  virtual std::vector<std::int64_t> flow_counts() const = 0;
+  /// Gives the fluid n particles, whose state the caller will write.
+  virtual void resize(std::int64_t n) = 0;
+  /// Rolls the last step back. Only for solvers that iterate.
+  virtual void undo() = 0;
+  /// The bounds of a step from `time` on, by the state and the accelerations of the last step.
+  virtual TimeStepBounds bounds(double time) = 0;
+  virtual ParticleView fluid() const = 0;
+  virtual std::vector<BodyState> bodies() const = 0;
+  /// The force of the fluid on each wall in the order of Scene::wall_names() [N, N/m in 2D]: on
+  /// reflecting walls the mean over `interval` [s], the time since the last call; on others now.
+  virtual std::vector<Vector> wall_forces(double interval) = 0;
+  /// See Simulation::tractions; `cell` is the width of a boundary particle's share of the wall [m].
+  virtual std::vector<Vector> tractions(const std::vector<WallPatch>& patches, double cell) = 0;
+  virtual const std::vector<VerbTiming>& timings() const = 0;
+  /// All arrays that the next steps follow from, besides the plan. Writing to them restores a
+  /// state, after continue_from has set the number of steps.
+  virtual std::vector<StateArray> state() = 0;
+  virtual void continue_from(std::int64_t steps) = 0;
+};
+
+/// Makes an engine; null where the build lacks the plan's solver.
+using MakeEngine = std::unique_ptr<Engine>(const EnginePlan&);
+
+}  // namespace freshet

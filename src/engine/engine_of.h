@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+/// A solver on a backend. Compiled once per backend and dimension.
+#pragma once
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <optional>
+
+#include "engine/body_force.h"
+#include "engine/carried_bodies.h"
+#include "engine/engine.h"
+#include "engine/stepper.h"
+#include "engine/store.h"
+#include "engine/wall_forces_impl.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+
+template <int D, class B> class EngineOf final : public Engine {
+ public:
+  EngineOf(B backend, std::unique_ptr<Stepper<D, B>> stepper, const EnginePlan& p)
+      : stepper_(std::move(stepper)),
+        forces_(make_forces<D, B>(p)),
+        fluid_(stepper_->fluid()),
+        store_(std::move(backend), p, fluid_),
+        walls_(store_.walls),
+        body_force_(p),
+        flows_(p),
+        liquids_(liquids_of(p)),
+        iterates_(p.incompressible()),
+        h_(Real(p.h)),
+        support_(Real(p.support)),
+        rho0_(Real(p.rest_density)),
+        m_(Real(p.mass)),
+        wall_count_(p.walls.size()) {
+    stepper_->set_forces(forces_.get());
+    confine(p);
+    make_fields(p);
+    store_.fill_fluid(p.sample, stepper_->start_pressure());
+    store_.fill_walls(p);
+    for (const CopyRulePlan& rule : p.copies) ghosts_.wall_of_rule.push_back(rule.wall);
+    if (!p.copies.empty()) store_.backend.allocate(fluid_, Keep::scratch, ghosts_.acceleration);
+    if (!p.sample.bodies.body.empty()) make_bodies(p);
+    flows_.begin(fluid_);
+    if (flows_.any()) flow(0, 0);
+  }
+
+  Solves step(double time, double dt) override {
+    const Tick tick{Real(dt), steps_++};
+    // Second-order integrators take half of a body force before and half after [Strang 1968].
+    const double before = body_force_.halved() ? dt / 2 : dt;
+    if (bodies_) bodies_->begin(walls_, time, dt);
+    if (iterates_) {
+      store_.backend.save("save", fluid_);
+      bounced_before_ = bounced_;
+      if (bodies_) bodies_->bodies().save();
+    }
+    body_force_.push(fluid_, time, before);
+    Solves solves = stepper_->step(store_.backend, walls_, tick);
+    if (body_force_.halved()) body_force_.push(fluid_, time + dt, dt / 2);
+    if (forces_) forces_->shift(store_.backend, fluid_, tick.dt);
+    if (bodies_) bodies_->end(time, dt, iterates_);
+    if (const auto solved = forces_ ? forces_->solve() : std::nullopt) solves.add(*solved);
+    return solves;
+  }
+  void flow(double time, double dt) override {
+    if (!flows_.any()) return;
+    const int first = flows_.advance(store_.backend, fluid_, fluid_.kind, time, dt);
+    if (first < 0) return;
+    changed();
+    for (int i = first; i < fluid_.n; ++i) fluid_.rho[i] = rho0_;
+  }
+  std::vector<std::int64_t> flow_counts() const override { return flows_.counts(); }
+  void resize(std::int64_t n) override {
+    const int before = fluid_.n;
+    std::vector<int> gone(std::size_t(std::max<std::int64_t>(0, before - n)));
+    std::iota(gone.begin(), gone.end(), int(n));
+    store_.backend.edit("flows", fluid_, gone, int(std::max<std::int64_t>(0, n - before)));
+    changed();
+  }
+  void undo() override {
+    store_.backend.restore("save", fluid_);
+    if (bodies_) bodies_->bodies().restore();
+    std::copy(bounced_before_.begin(), bounced_before_.end(), bounced_.begin());
+    --steps_;
+  }
+  TimeStepBounds bounds(double time) override {
+    TimeStepBounds b = stepper_->bounds(store_.backend);
+    if (forces_) forces_->bound(b);
+    const double most = body_force_.greatest(fluid_, time);
+    if (most > 0) b.force = std::min(b.force, 0.25 * std::sqrt(double(h_) / most));
+    const double fastest = bodies_ ? bodies_->bodies().fastest(time) : 0;
+    if (fastest > 0) b.flow = std::min(b.flow, 0.4 * double(h_) / fastest);
+    return b;
+  }
+
+  ParticleView fluid() const override {
+    const auto n = std::size_t(fluid_.n);
+    ParticleView view{D,
+                      {fluid_.id.data, n},
+                      {reinterpret_cast<const Real*>(fluid_.x.data), n * D},
+                      {reinterpret_cast<const Real*>(fluid_.v.data), n * D},
+                      {fluid_.rho.data, n},
+                      {fluid_.p.data, n},
+                      {}};
+    if (!fluid_.kind.data) return view;
+    density_.resize(n);
+    for (int i = 0; i < fluid_.n; ++i)
+      density_[std::size_t(i)] = fluid_.rho[i] / liquids_.lightness(fluid_, i);
+    view.density = density_;
+    view.liquid = {fluid_.kind.data, n};
+    return view;
+  }
+  std::vector<BodyState> bodies() const override {
+    return bodies_ ? bodies_->bodies().states() : std::vector<BodyState>();
+  }
+  const std::vector<VerbTiming>& timings() const override { return store_.backend.timings(); }
+  std::vector<StateArray> state() override { return store_.state.arrays(); }
+  void continue_from(std::int64_t steps) override { steps_ = steps; }
+
+  std::vector<Vector> wall_forces(double interval) override {
+    WallForces<D, B> forces(store_.backend, wall_count_, ghosts_, double(m_));
+    add_wall_forces(forces);
+    forces.add_bounces(fluid_, liquids_, stepper_->confinement(), reflector_walls_, interval);
+    std::fill(bounced_.begin(), bounced_.end(), Vec<D, double>{});
+    return forces.list();
+  }
+  std::vector<Vector> tractions(const std::vector<WallPatch>& patches, double cell) override {
+    std::vector<PatchOnWall<D>> all;
+    for (const WallPatch& patch : patches) all.emplace_back(patch, cell, double(support_));
+    WallForces<D, B> forces(store_.backend, std::move(all), double(m_));
+    add_wall_forces(forces);
+    return forces.tractions();
+  }
+
+ private:
+  void make_fields(const EnginePlan& p) {
+    store_.make_fluid(p);
+    stepper_->fields(store_);
+    if (forces_) forces_->fields(store_);
+    flows_.fields([this](const char* name, Keep keep, auto& f) { store_.make(name, keep, f); });
+    flows_.numbers([this](const std::string& name, auto* data, std::size_t count) {
+      using Number =
+          std::conditional_t<std::is_same_v<decltype(data), double*>, double, std::uint64_t>;
+      store_.state.add(
+          name, [=] { return reinterpret_cast<Number*>(data); },
+          [=] { return std::int64_t(count); }, StateArray::Role::other);
+    });
+  }
+  /// The memory of what keeps particles in place.
+  void confine(const EnginePlan& p) {
+    for (const ReflectorPlan& r : p.reflectors) {
+      reflectors_.push_back({solid_of<D, Real>(r.solid), Real(r.restitution)});
+      reflector_walls_.push_back(r.wall);
+    }
+    Confinement<D>& c = stepper_->confinement();
+    c.shapes.data = reflectors_.data();
+    c.shape_count = int(reflectors_.size());
+    store_.state.add(
+        "fluid/bounced", [this] { return bounced_.data(); },
+        [this] { return std::int64_t(bounced_.size()); }, StateArray::Role::other);
+    make_room_for_bounces();
+  }
+  /// Sums over particles do not depend on whose bounce it was: where the particles are fewer now,
+  /// the first ones take over the bounces of the places that are gone.
+  void make_room_for_bounces() {
+    Confinement<D>& c = stepper_->confinement();
+    const auto walls = std::size_t(c.walls());
+    const auto n = std::size_t(flows_.change_particles() ? std::max(fluid_.n, 1) : fluid_.n);
+    for (std::size_t k = walls * n; k < bounced_.size(); ++k) bounced_[k % walls] += bounced_[k];
+    bounced_.resize(walls * n);
+    c.bounced.data = bounced_.empty() ? nullptr : bounced_.data();
+  }
+  /// After particles came or went.
+  void changed() {
+    make_room_for_bounces();
+    particles_changed_ = true;
+  }
+
+  /// The body particles once more, as targets of the fluid's forces.
+  void make_bodies(const EnginePlan& p) {
+    bodies_ = std::make_unique<CarriedBodies<D>>(p, walls_);
+    if (p.layered_bodies) {
+      fill_bodies("of_layered_bodies", walls_.of_layered_bodies, walls_.adami2012, p);
+    } else {
+      fill_bodies("of_bodies", walls_.of_bodies, walls_.akinci2012, p);
+      fill_psi(bodies_->psi(kernel_of<D>(p), support_, rho0_));
+    }
+    store_.backend.allocate(fluid_, Keep::scratch, walls_.rate);
+    static_assert(sizeof(BodyState) == 19 * sizeof(double));
+    store_.state.add_numbers("bodies/state", bodies_->bodies().states());
+    store_.state.add_numbers("bodies/forces", bodies_->bodies().last_forces());
+  }
+  template <class Wall>
+  void fill_bodies(const char* name, Wall& of_bodies, const Wall& wall, const EnginePlan& p) {
+    const int n = bodies_->samples(), first = wall.n - n * bodies_->places();
+    of_bodies.moves = true;
+    store_.backend.add_set(of_bodies, n);
+    store_.allocate(of_bodies, name, "id", Keep::kept, of_bodies.id);
+    store_.allocate(of_bodies, name, "x", Keep::kept, of_bodies.x);
+    store_.allocate(of_bodies, name, "v", Keep::scratch, of_bodies.v);
+    of_bodies.fields([&](const char* field, Keep keep, auto& f) {
+      store_.allocate(of_bodies, name, field, keep, f);
+    });
+    for (int k = 0; k < n; ++k) {
+      of_bodies.id[k] = std::uint64_t(k);
+      of_bodies.friction[k] = p.body_no_slip[std::size_t(bodies_->body_of(k))];
+      for (int image = 0; image < bodies_->places(); ++image)
+        wall.friction[first + image * n + k] = of_bodies.friction[k];
+    }
+  }
+  void fill_psi(const std::vector<Real>& psi) {
+    const auto &of_bodies = walls_.of_bodies, &wall = walls_.akinci2012;
+    for (int k = 0, first = wall.n - of_bodies.n * bodies_->places(); first + k < wall.n; ++k)
+      wall.psi[first + k] = of_bodies.psi[k % of_bodies.n] = psi[std::size_t(k % of_bodies.n)];
+  }
+
+  /// All forces on walls but bounces.
+  void add_wall_forces(WallForces<D, B>& forces) {
+    B& backend = store_.backend;
+    if (std::exchange(particles_changed_, false)) {
+      backend.find_neighbors("wall forces", support_, fluid_);
+      backend.share("wall forces", fluid_, fluid_.rho, fluid_.p);
+    }
+    Walls<D> walls = walls_;
+    walls.akinci2012.moves = walls.adami2012.moves = false;  // sorted since the last search
+    for (const Particles<D>* wall : std::initializer_list<const Particles<D>*>{
+             &walls.akinci2012, &walls.adami2012, &walls.monaghan2009})
+      if (wall->n > 0) backend.list_neighbors("wall forces", support_, *wall, fluid_);
+    stepper_->add_wall_forces(backend, walls, forces);
+    if (forces_) forces_->add_wall_forces(backend, fluid_, walls, forces);
+  }
+
+  std::unique_ptr<Stepper<D, B>> stepper_;
+  std::unique_ptr<NonPressureForces<D, B>> forces_;  // null where there are none
+  FluidParticles<D>& fluid_;                         // the stepper's
+  Store<D, B> store_;
+  Walls<D>& walls_;
+  BodyForce<D> body_force_;
+  Flows<D> flows_;
+  Liquids liquids_;
+  bool iterates_;
+  Real h_, support_, rho0_, m_;
+  std::size_t wall_count_;
+  GhostWalls<D> ghosts_;
+  std::unique_ptr<CarriedBodies<D>> bodies_;  // null without bodies
+  std::vector<Reflector<D>> reflectors_;
+  std::vector<Vec<D, double>> bounced_, bounced_before_;
+  std::vector<int> reflector_walls_;   // their numbers
+  mutable std::vector<Real> density_;  // of several liquids
+  bool particles_changed_ = false;     // since the last search
+  std::int64_t steps_ = 0;
+};
+
+}  // namespace FRESHET_ISA
+}  // namespace freshet

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+/// The numbers that an engine is made from: no scene, no instruction set. sim/plan_of_scene.cpp
+/// makes them from a scene. Vectors have three components; in 2D the third is 0.
+#pragma once
+#include <array>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "boundary/solid_kind.h"
+#include "engine/sample.h"
+#include "freshet/methods.h"
+#include "freshet/time_step.h"
+#include "solvers/solve.h"
+
+namespace freshet {
+
+class Bodies;
+
+using Triple = std::array<double, 3>;
+
+/// The surface of a box, ball, cylinder or half space: boundary/solid.h explains the members.
+struct SolidPlan {
+  SolidKind kind = SolidKind::box;
+  Triple center{}, half{}, axis{};
+  double radius = 0, half_length = 0;
+  bool fluid_inside = false;
+};
+
+/// A shape that reflects particles.
+struct ReflectorPlan {
+  SolidPlan solid;
+  double restitution;
+  int wall;  ///< number of the wall that its force is reported by
+};
+
+/// Periodic or mirror images: boundary/copy_rule.h explains the members.
+struct CopyRulePlan {
+  Triple point{}, normal{}, shift{};
+  bool mirror = true, no_slip = false;
+  int axis = 0;
+  int wall = -1;  ///< number of the wall that its force is reported by, -1: none
+};
+
+/// A flat piece that particles are counted in: boundary/opening.h explains the members.
+struct OpeningPlan {
+  Triple center{}, direction{}, across{}, up{};
+  double half_width, half_height, radius;
+};
+
+/// The particles that an inlet emits.
+struct InletPlan {
+  int dimension = 2;
+  std::vector<double> places;  ///< of a layer's particles on the opening, D numbers each [m]
+  Triple direction{};          ///< unit vector
+  double spacing = 0;          ///< of the layers [m]
+  int layers = 0;              ///< that fit into the zone behind the opening
+  double speed = 0;            ///< [m/s]
+  double rate = 0;             ///< [m^D/s]
+  double start = 0, stop = 0;  ///< [s]
+  int liquid = 0;              ///< index in Scene::liquids()
+  int outlet = -1;             ///< whose particles it emits again, -1: none
+
+  std::size_t particles() const { return places.size() / std::size_t(dimension); }
+  /// From the opening to the back of the zone [m].
+  double depth() const { return layers * spacing; }
+  /// Layers emitted until then; half a layer is rounded up.
+  double layers_until(double time) const;
+};
+
+/// A liquid, the densest of which has the plan's rest density.
+struct LiquidPlan {
+  double rest_density;     ///< [kg/m^D]
+  double viscosity;        ///< dynamic [Pa s]
+  double surface_tension;  ///< [N/m]
+  double cohesion;         ///< gamma of Akinci 2013 [m/s^2]
+  double adhesion;         ///< beta of Akinci 2013 [m/s^2]
+};
+
+/// Forces beside pressure, gravity and walls.
+struct ForcesPlan {
+  ViscosityMethod viscosity = ViscosityMethod::artificial;  ///< artificial: none of these forces
+  SurfaceTensionMethod tension = SurfaceTensionMethod::none;
+  ShiftingMethod shifting = ShiftingMethod::none;
+  bool vorticity = false, drag = false;
+  double vorticity_transfer = 0, vorticity_inertia = 0;  ///< nu_t, Theta of Bender 2017
+  Iterations implicit{};                                 ///< of Weiler 2018
+  double air_density = 0, air_viscosity = 0;
+  Triple air_velocity{};
+  double W_spacing = 0;   ///< W at a distance of one spacing [1/m^D]
+  double mean_depth = 0;  ///< mean of |x| in W [m]
+  double neighbors = 0;   ///< in a resting lattice
+  bool no_walls = false;  ///< nothing holds the fluid
+  bool any() const {
+    return viscosity != ViscosityMethod::artificial || tension != SurfaceTensionMethod::none ||
+           shifting != ShiftingMethod::none || vorticity || drag;
+  }
+};
+
+struct EnginePlan {
+  int dimension = 2, threads = 1;
+  SolverName solver = SolverName::mueller2003;
+  KernelName kernel = KernelName::cubic_spline;
+  Integrator integrator = Integrator::leapfrog;
+  Search search = Search::grid;
+  NeighborOrder neighbor_order = NeighborOrder::cell;
+  bool article = false;  ///< the article's step and constants
+
+  // Particles
+  double support = 0;       ///< support radius [m]
+  double h = 0;             ///< the paper's h: half the support, mueller2003: the support [m]
+  double spacing = 0;       ///< [m]
+  double mass = 0;          ///< of the densest liquid [kg]
+  double lattice_sum = 1;   ///< that density sums are divided by
+  double rest_density = 0;  ///< of the densest liquid [kg/m^D]
+  double lightness = 1;     ///< that over the rest density of the lightest liquid
+  double viscosity = 0;     ///< greatest kinematic one times rest_density [Pa s]
+  std::vector<LiquidPlan> liquids;
+
+  // Pressure
+  double sound_speed = 0;  ///< of the densest liquid; incompressible: a scale [m/s]
+  double stiffness = 0;    ///< k of mueller2003 [m^2/s^2]
+  double speed_limit = std::numeric_limits<double>::infinity();  ///< article [m/s]
+  double background_pressure = 0;                                ///< [Pa]
+  double artificial_viscosity = 0, density_diffusion = 0;        ///< alpha, delta
+  bool antuono2010 = false;  ///< diffusion of Antuono 2010, else of Fourtakas 2019
+  double own_viscosity = 0;  ///< greatest kinematic one that a pressure solver sums itself
+  double xsph = 0;
+  double lattice_response = 0, lattice_stiffness = 0;  ///< kernels/lattice_sum.h
+  bool warm_start = false, accelerated = false;
+  Iterations density{}, divergence{};
+
+  // Domain
+  Triple min{}, max{}, gravity{};
+  std::array<bool, 3> periodic{};
+  /// An acceleration b(x, t) beside gravity [m/s^2]; empty: none. Called by one thread.
+  std::function<void(const double (&x)[3], double t, double* b)> body_force;
+  bool body_force_varies = false;  ///< in space
+
+  // Walls, by their number in Scene::wall_names()
+  struct Wall {
+    bool no_slip;
+    Triple slide;  ///< velocity of its surface along itself [m/s]
+  };
+  std::vector<Wall> walls;
+  unsigned reflecting_sides = 0;  ///< bit 2k: min, 2k + 1: max of axis k
+  double restitution = 0;         ///< of the sides
+  std::vector<ReflectorPlan> reflectors;
+  std::vector<CopyRulePlan> copies;
+
+  // Flows
+  std::vector<InletPlan> inlets;
+  std::vector<SolidPlan> outlets;
+  std::vector<OpeningPlan> counters;
+
+  // Bodies
+  Bodies* bodies = nullptr;     ///< outlives the engine; null without bodies
+  bool layered_bodies = false;  ///< sampled for adami2012, else for akinci2012
+  std::vector<bool> body_no_slip;
+
+  ForcesPlan forces;
+  Sample sample;
+
+  bool incompressible() const { return is_incompressible(solver); }
+};
+
+}  // namespace freshet

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "engine/select.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "core/portable.h"
+#include "freshet/error.h"
+
+namespace freshet {
+inline namespace FRESHET_ISA {
+template <int D> std::unique_ptr<Engine> make_reference_engine(const EnginePlan& plan);
+}
+
+/// The engines of a backend in 2D and 3D.
+struct Makers {
+  MakeEngine *flat, *deep;
+};
+
+// src/CMakeLists.txt defines what is compiled: FRESHET_CPU_ENGINES calls FRESHET_CPU_ENGINE(isa)
+// for each instruction set, the best first, and FRESHET_SOLVERS calls FRESHET_SOLVER(name) for each
+// solver.
+#define FRESHET_CPU_ENGINE(isa)                                                     \
+  namespace isa {                                                                   \
+  template <int D> std::unique_ptr<Engine> make_cpu_engine(const EnginePlan& plan); \
+  static Makers cpu_makers() { return {make_cpu_engine<2>, make_cpu_engine<3>}; }   \
+  }
+FRESHET_CPU_ENGINES
+#undef FRESHET_CPU_ENGINE
+
+namespace {
+
+struct InstructionSet {
+  std::string name;
+  Makers makers;
+};
+
+bool supported(const std::string& name) {
+  if (name == "plain") return true;
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  if (name == "sse42") return __builtin_cpu_supports("sse4.2");
+  if (name == "avx2") return __builtin_cpu_supports("avx2");
+  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+         __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+         __builtin_cpu_supports("avx512vl");
+#else
+  return false;
+#endif
+}
+
+/// Those that were compiled and that this machine has, best first.
+std::vector<InstructionSet> instruction_sets() {
+  std::vector<InstructionSet> all{
+#define FRESHET_CPU_ENGINE(isa) {#isa, isa::cpu_makers()},
+      FRESHET_CPU_ENGINES
+#undef FRESHET_CPU_ENGINE
+  };
+  for (InstructionSet& set : all)
+    if (set.name == "base") set.name = "plain";
+  std::erase_if(all, [](const InstructionSet& set) { return !supported(set.name); });
+  return all;
+}
+
+InstructionSet choose(const std::string& isa) {
+  std::string names;
+  for (const InstructionSet& set : instruction_sets()) {
+    if (isa.empty() || isa == set.name) return set;
+    names += (names.empty() ? "" : ", ") + set.name;
+  }
+  throw Error(Error::Kind::scene, isa.empty() ? "--backend cpu" : "--isa " + isa,
+              names.empty() ? "this machine has no instruction set that was compiled; take the "
+                              "reference backend"
+                            : fmt::format("this machine (or this build) does not have it; it has "
+                                          "{}",
+                                          names));
+}
+
+constexpr SolverName compiled[] = {
+#define FRESHET_SOLVER(name) SolverName::name,
+    FRESHET_SOLVERS
+#undef FRESHET_SOLVER
+};
+
+}  // namespace
+
+std::string instruction_set(const std::string& isa) { return choose(isa).name; }
+
+int thread_count(int threads) {
+  return threads > 0 ? threads : std::max(1, int(std::thread::hardware_concurrency()));
+}
+
+bool has_solver(SolverName name) {
+  return std::find(std::begin(compiled), std::end(compiled), name) != std::end(compiled);
+}
+
+std::unique_ptr<Engine> make_engine(const EnginePlan& plan, const BackendChoice& choice) {
+  const Makers makers = choice.backend == BackendName::reference
+                            ? Makers{make_reference_engine<2>, make_reference_engine<3>}
+                            : choose(choice.isa).makers;
+  return (plan.dimension == 2 ? makers.flat : makers.deep)(plan);
+}
+
+}  // namespace freshet

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+
+#include "engine/engine.h"
+#include "engine/plan.h"
+
+namespace freshet {
+
+/// The backend, and the instruction set of the cpu backend: "" for the best that the machine has.
+struct BackendChoice {
+  BackendName backend = BackendName::cpu;
+  std::string isa;
+};
+
+/// The engine of a plan: the one place that knows all backends and instruction sets.
+/// Throws Error (kind scene) for an instruction set or a solver that is not available.
+std::unique_ptr<Engine> make_engine(const EnginePlan& plan, const BackendChoice& choice);
+
+/// Whether this build has a solver: the sanitizers' builds exclude some.
+bool has_solver(SolverName name);
+
+/// The name of the instruction set that such a choice selects. Throws as make_engine does.
+std::string instruction_set(const std::string& isa);
+/// The number of threads that such a choice selects; 0: as many as the machine has.
+int thread_count(int threads);
+
+}  // namespace freshet
