@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "command.h"
 #include "freshet/derived.h"
@@ -181,6 +182,14 @@ void print_table(const std::vector<std::string>& values, const std::vector<Measu
              short_number(c.bytes_per_second));
 }
 
+/// The values between commas.
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> values;
+  std::istringstream in(text);
+  for (std::string value; std::getline(in, value, ',');) values.push_back(value);
+  return values;
+}
+
 void bench(const BenchArguments& a) {
   std::vector<std::string> values{""};
   std::string key;
@@ -190,7 +199,7 @@ void bench(const BenchArguments& a) {
       throw Error(Error::Kind::scene, "--compare " + a.compare,
                   "write KEY=A,B, for example solver.search=grid,all_pairs");
     key = a.compare.substr(0, equals);
-    values = CLI::detail::split(a.compare.substr(equals + 1), ',');
+    values = split(a.compare.substr(equals + 1));
   }
   std::vector<Scene> scenes;
   for (const std::string& value : values)
@@ -214,27 +223,27 @@ void bench(const BenchArguments& a) {
 
 }  // namespace
 
-void add_bench(CLI::App& app, int& code) {
+void add_bench(Program& program) {
   const auto a = std::make_shared<BenchArguments>();
-  CLI::App* command = app.add_subcommand("bench", "Measure the speed of a scene, verb by verb");
-  a->scene.add_to(*command);
-  command->add_option("--particles", a->particles, "about so many particles instead of the scene's")
-      ->check(CLI::Range(1.0, 2e9));
-  command->add_option("--solver", a->solver, "another solver than the scene's");
-  command->add_option("--steps", a->steps, "so many steps instead of the scene's")
-      ->check(CLI::Range(1, 1000000000));
-  command->add_option("--repeats", a->repeats, "the fastest of so many counts (default: 3)")
-      ->check(CLI::Range(1, 1000));
-  auto* compare = command->add_option("--compare", a->compare,
-                                      "KEY=A,B: one measurement a value, taken in turn");
-  auto* json = command->add_flag("--json", a->json, "print JSON");
-  command->add_flag("--markdown", a->markdown, "print the comparison as a table in Markdown")
-      ->needs(compare)
-      ->excludes(json);
-  command->footer("Example:\n  freshet bench article --compare solver.search=grid,all_pairs");
-  command->callback([a, &code] {
+  const Command command = program.add("bench", "Measure the speed of a scene, verb by verb");
+  a->scene.add_to(command);
+  command.option("--particles", a->particles, "about this many particles instead of the scene's")
+      .range(1.0, 2e9);
+  command.option("--solver", a->solver, "another solver than the scene's");
+  command.option("--steps", a->steps, "this many steps instead of the scene's")
+      .range(1, 1000000000);
+  command.option("--repeats", a->repeats, "take the fastest of this many (default: 3)")
+      .range(1, 1000);
+  const Option compare =
+      command.option("--compare", a->compare, "KEY=A,B: one measurement per value, taken in turn");
+  const Option json = command.flag("--json", a->json, "print JSON");
+  command.flag("--markdown", a->markdown, "print the comparison as a table in Markdown")
+      .needs(compare)
+      .excludes(json);
+  command.footer("Example:\n  freshet bench article --compare solver.search=grid,all_pairs");
+  command.action([a] {
     bench(*a);
-    code = done;
+    return done;
   });
 }
 

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 /// What the subcommands share.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "command_line.h"
 #include "freshet/simulation.h"
 
 namespace freshet::cli {
-
-enum ExitCode { done = 0, failed = 1, usage = 2, interrupted = 130 };
 
 /// KEY=VALUE, each as an override.
 std::vector<Override> overrides_of(const std::vector<std::string>& set);
@@ -21,7 +19,7 @@ struct ChangeArguments {
   std::string isa;
   int threads = 0;
 
-  void add_to(CLI::App& command);
+  void add_to(const Command& command);
   std::vector<Override> overrides() const { return overrides_of(set); }
   Execution execution() const { return {threads, isa}; }
 };
@@ -30,23 +28,23 @@ struct ChangeArguments {
 struct SceneArguments : ChangeArguments {
   std::string name, backend;
 
-  void add_to(CLI::App& command);
+  void add_to(const Command& command);
   Scene load() const;
   std::vector<Override> overrides() const;
 };
 
-/// Each adds its subcommand to the program; the callback's exit code goes to `code`.
-void add_run(CLI::App& app, int& code, const std::vector<std::string>& command_line);
-void add_resume(CLI::App& app, int& code, const std::vector<std::string>& command_line);
-void add_render(CLI::App& app, int& code);
-void add_check(CLI::App& app, int& code);
-void add_info(CLI::App& app, int& code);
-void add_scenes(CLI::App& app, int& code);
-void add_bench(CLI::App& app, int& code);
-void add_plot(CLI::App& app, int& code);
-void add_validate(CLI::App& app, int& code);
-void add_schema(CLI::App& app, int& code);
-void add_completion(CLI::App& app, int& code);
+/// Each adds its subcommand to the program.
+void add_run(Program& program, const std::vector<std::string>& command_line);
+void add_resume(Program& program, const std::vector<std::string>& command_line);
+void add_render(Program& program);
+void add_check(Program& program);
+void add_info(Program& program);
+void add_scenes(Program& program);
+void add_bench(Program& program);
+void add_plot(Program& program);
+void add_validate(Program& program);
+void add_schema(Program& program);
+void add_completion(Program& program);
 
 /// The file of a scene: a file of that name, else the scene that comes along under it.
 std::filesystem::path find_scene(const std::string& name);

@@ -7,19 +7,18 @@
 namespace freshet::cli {
 namespace {
 
-std::vector<std::string> options_of(const CLI::App& command) {
+std::vector<std::string> options_of(const Program::CommandHelp& command) {
   std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options())
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  for (const auto& option : command.options) names.push_back("--" + option.name);
   return names;
 }
 
-std::string bash(const CLI::App& app) {
+std::string bash(const Program& program) {
   std::string names, cases;
-  for (const CLI::App* command : app.get_subcommands({})) {
-    names += command->get_name() + " ";
-    cases += fmt::format("    {}) words=\"{}\" ;;\n", command->get_name(),
-                         fmt::join(options_of(*command), " "));
+  for (const auto& command : program.help()) {
+    names += command.name + " ";
+    cases +=
+        fmt::format("    {}) words=\"{}\" ;;\n", command.name, fmt::join(options_of(command), " "));
   }
   return fmt::format(R"sh(_freshet() {{
   local current="${{COMP_WORDS[COMP_CWORD]}}" words
@@ -39,20 +38,18 @@ complete -F _freshet freshet
                      names, cases);
 }
 
-std::string zsh(const CLI::App& app) {
-  return "autoload -U +X bashcompinit && bashcompinit\n" + bash(app);
+std::string zsh(const Program& program) {
+  return "autoload -U +X bashcompinit && bashcompinit\n" + bash(program);
 }
 
-std::string fish(const CLI::App& app) {
+std::string fish(const Program& program) {
   std::string out;
-  for (const CLI::App* command : app.get_subcommands({})) {
-    out += fmt::format("complete -c freshet -n __fish_use_subcommand -a {} -d '{}'\n",
-                       command->get_name(), command->get_description());
-    for (const CLI::Option* option : command->get_options())
-      for (const std::string& name : option->get_lnames())
-        out +=
-            fmt::format("complete -c freshet -n '__fish_seen_subcommand_from {}' -l {} -d '{}'\n",
-                        command->get_name(), name, option->get_description());
+  for (const auto& command : program.help()) {
+    out += fmt::format("complete -c freshet -n __fish_use_subcommand -a {} -d '{}'\n", command.name,
+                       command.description);
+    for (const auto& option : command.options)
+      out += fmt::format("complete -c freshet -n '__fish_seen_subcommand_from {}' -l {} -d '{}'\n",
+                         command.name, option.name, option.description);
   }
   return out +
          "complete -c freshet -n '__fish_seen_subcommand_from run check info bench' "
@@ -61,16 +58,16 @@ std::string fish(const CLI::App& app) {
 
 }  // namespace
 
-void add_completion(CLI::App& app, int& code) {
+void add_completion(Program& program) {
   const auto shell = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("completion", "Print the completion of a shell");
-  command->add_option("SHELL", *shell, "bash, zsh or fish")
-      ->required()
-      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  command->footer("Example:\n  source <(freshet completion bash)");
-  command->callback([shell, &app, &code] {
-    fmt::print("{}", *shell == "bash" ? bash(app) : *shell == "zsh" ? zsh(app) : fish(app));
-    code = done;
+  const Command command = program.add("completion", "Print the completion of a shell");
+  command.option("SHELL", *shell, "bash, zsh or fish").required().one_of({"bash", "zsh", "fish"});
+  command.footer("Example:\n  source <(freshet completion bash)");
+  command.action([shell, &program] {
+    fmt::print("{}", *shell == "bash"  ? bash(program)
+                     : *shell == "zsh" ? zsh(program)
+                                       : fish(program));
+    return done;
   });
 }
 

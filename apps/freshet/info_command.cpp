@@ -109,9 +109,8 @@ std::string time_step_row(const Scene& s, const Derived& d) {
                                : fmt::format("{:g} s", s.time.step);
   const std::string fastest = s.solver.incompressible() ? "flow at the start " + bound(d.flow_step)
                                                         : "sound " + bound(d.acoustic_step);
-  const std::string tension = std::isfinite(d.capillary_step)
-                                  ? ", surface tension " + bound(d.capillary_step)
-                                  : "";
+  const std::string tension =
+      std::isfinite(d.capillary_step) ? ", surface tension " + bound(d.capillary_step) : "";
   return fmt::format("{}; bounds: {}, gravity {}, viscosity {}{}", step, fastest,
                      bound(d.force_step), bound(d.viscous_step), tension);
 }
@@ -169,14 +168,15 @@ void info(const SceneArguments& a) {
 
 }  // namespace
 
-void add_info(CLI::App& app, int& code) {
+void add_info(Program& program) {
   const auto a = std::make_shared<SceneArguments>();
-  CLI::App* command = app.add_subcommand("info", "What a scene amounts to, and what a run takes");
-  a->add_to(*command);
-  command->footer("Example:\n  freshet info article");
-  command->callback([a, &code] {
+  const Command command =
+      program.add("info", "Print the numbers of a scene and the cost of its run");
+  a->add_to(command);
+  command.footer("Example:\n  freshet info article");
+  command.action([a] {
     info(*a);
-    code = done;
+    return done;
   });
 }
 

@@ -30,25 +30,25 @@ void draw(const PlotArguments& a) {
 
 }  // namespace
 
-void add_plot(CLI::App& app, int& code) {
+void add_plot(Program& program) {
   const auto a = std::make_shared<PlotArguments>();
-  CLI::App* command = app.add_subcommand("plot", "Draw a run's observables over its time");
-  command->add_option("DIR", a->run, "the folder of a run")->required();
+  const Command command = program.add("plot", "Draw a run's observables over its time");
+  command.option("DIR", a->run, "the folder of a run").required();
   command
-      ->add_option("--columns", a->columns,
-                   "what to draw: columns of observables.csv, with commas between them "
-                   "(default: all that matter)")
-      ->delimiter(',');
-  command->add_option("--output", a->output,
-                      "FILE.svg, FILE.png, or a folder for both (default: DIR/plots)");
-  command->add_option("--against", a->against, "other runs to compare it with (at most 3)");
-  command->footer(
+      .option("--columns", a->columns,
+              "columns of observables.csv to draw, with commas between them (default: all that "
+              "matter)")
+      .delimiter(',');
+  command.option("--output", a->output,
+                 "FILE.svg, FILE.png, or a folder for both (default: DIR/plots)");
+  command.option("--against", a->against, "other runs to compare it with (at most 3)");
+  command.footer(
       "Examples:\n  freshet plot runs/dam_break_2d\n"
       "  freshet plot runs/a --against runs/b --columns \"speed max,total energy\" "
       "--output speed.svg");
-  command->callback([a, &code] {
+  command.action([a] {
     draw(*a);
-    code = done;
+    return done;
   });
 }
 

@@ -44,24 +44,22 @@ int render_run(const RenderArguments& a) {
 
 }  // namespace
 
-void add_render(CLI::App& app, int& code) {
+void add_render(Program& program) {
   const auto a = std::make_shared<RenderArguments>();
-  CLI::App* render = app.add_subcommand("render", "Draw a finished run again, without simulating");
-  render->add_option("DIR", a->run, "the folder of a run")->required();
-  render->add_option("--set", a->set, "KEY=VALUE: change a key of picture or camera")
-      ->take_all()
-      ->allow_extra_args(false);
-  render->add_option("--output", a->output, "where the pictures go (default: DIR/pictures)");
-  render->add_flag("--overwrite", a->overwrite, "replace pictures that are there");
-  render->add_option("--threads", a->threads, "threads (default: all)")->check(CLI::Range(1, 4096));
-  render->add_flag("--quiet", a->quiet, "say nothing but errors");
-  render->add_option("--video", a->video, "make a film, FILE.mp4 or FILE.gif (needs ffmpeg)");
-  render->add_option("--fps", a->fps, "the film's pictures per simulated second (default: 30)")
-      ->check(CLI::Range(0.001, 1e6));
-  render->footer(
+  const Command render = program.add("render", "Draw a finished run again, without simulating");
+  render.option("DIR", a->run, "the folder of a run").required();
+  render.option("--set", a->set, "KEY=VALUE: change a key of picture or camera").repeatable_value();
+  render.option("--output", a->output, "the folder of the pictures (default: DIR/pictures)");
+  render.flag("--overwrite", a->overwrite, "replace existing pictures");
+  render.option("--threads", a->threads, "threads (default: all)").range(1, 4096);
+  render.flag("--quiet", a->quiet, "print nothing but errors");
+  render.option("--video", a->video, "make a video, FILE.mp4 or FILE.gif (needs ffmpeg)");
+  render.option("--fps", a->fps, "pictures of the video per simulated second (default: 30)")
+      .range(0.001, 1e6);
+  render.footer(
       "Example:\n  freshet render runs/dam_break_3d --set picture.color_by=pressure --set "
       "camera.orbit=30 --video film.mp4");
-  render->callback([a, &code] { code = render_run(*a); });
+  render.action([a] { return render_run(*a); });
 }
 
 }  // namespace freshet::cli

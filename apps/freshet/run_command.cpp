@@ -170,37 +170,35 @@ int resume_run(const ResumeArguments& a, const std::vector<std::string>& command
   return outcome.of([&] { return resume(options); }, options.folder);
 }
 
-void add_words(CLI::App& command, bool& quiet, std::string& log) {
-  command.add_flag("--quiet", quiet, "say nothing but errors");
-  command.add_option("--log", log, "text, or json: a JSON object a line")
-      ->check(CLI::IsMember({"text", "json"}));
+void add_log_options(const Command& command, bool& quiet, std::string& log) {
+  command.flag("--quiet", quiet, "print nothing but errors");
+  command.option("--log", log, "text, or json: one JSON object per line").one_of({"text", "json"});
 }
 
 }  // namespace
 
-void add_run(CLI::App& app, int& code, const std::vector<std::string>& command_line) {
+void add_run(Program& program, const std::vector<std::string>& command_line) {
   const auto a = std::make_shared<RunArguments>();
-  CLI::App* run = app.add_subcommand("run", "Run a scene into a folder of pictures and numbers");
-  a->scene.add_to(*run);
-  run->add_option("--output", a->output, "the folder (default: runs/SCENE)");
-  run->add_flag("--overwrite", a->overwrite, "replace the run that the folder holds");
-  add_words(*run, a->quiet, a->log);
-  run->add_option("--video", a->video, "make a film, FILE.mp4 or FILE.gif (needs ffmpeg)");
-  run->add_option("--fps", a->fps, "the film's pictures per simulated second (default: 30)")
-      ->check(CLI::Range(0.001, 1e6));
-  run->footer("Example:\n  freshet run article --output runs/article --video water.mp4");
-  run->callback([a, &code, command_line] { code = run_scene(*a, command_line); });
+  const Command run = program.add("run", "Run a scene into a folder of pictures and numbers");
+  a->scene.add_to(run);
+  run.option("--output", a->output, "the folder (default: runs/SCENE)");
+  run.flag("--overwrite", a->overwrite, "replace the run that the folder holds");
+  add_log_options(run, a->quiet, a->log);
+  run.option("--video", a->video, "make a video, FILE.mp4 or FILE.gif (needs ffmpeg)");
+  run.option("--fps", a->fps, "pictures of the video per simulated second (default: 30)")
+      .range(0.001, 1e6);
+  run.footer("Example:\n  freshet run article --output runs/article --video water.mp4");
+  run.action([a, command_line] { return run_scene(*a, command_line); });
 }
 
-void add_resume(CLI::App& app, int& code, const std::vector<std::string>& command_line) {
+void add_resume(Program& program, const std::vector<std::string>& command_line) {
   const auto a = std::make_shared<ResumeArguments>();
-  CLI::App* resume =
-      app.add_subcommand("resume", "Go on with a run that was stopped, or prolong one");
-  resume->add_option("DIR", a->folder, "the folder of the run")->required();
-  a->changes.add_to(*resume);
-  add_words(*resume, a->quiet, a->log);
-  resume->footer("Example:\n  freshet resume runs/article --set time.end=4");
-  resume->callback([a, &code, command_line] { code = resume_run(*a, command_line); });
+  const Command resume = program.add("resume", "Resume a run that was stopped, or prolong one");
+  resume.option("DIR", a->folder, "the folder of the run").required();
+  a->changes.add_to(resume);
+  add_log_options(resume, a->quiet, a->log);
+  resume.footer("Example:\n  freshet resume runs/article --set time.end=4");
+  resume.action([a, command_line] { return resume_run(*a, command_line); });
 }
 
 }  // namespace freshet::cli

@@ -17,14 +17,12 @@ std::vector<fs::path> folders_that_come_along(const std::string& name) {
   return all;
 }
 
-void ChangeArguments::add_to(CLI::App& command) {
-  command.add_option("--set", set, "KEY=VALUE: change a key of the scene (TOML, else a string)")
-      ->take_all()
-      ->allow_extra_args(false);
-  command.add_option("--threads", threads, "threads of the cpu backend (default: all)")
-      ->check(CLI::Range(1, 4096));
-  command.add_option("--isa", isa, "instruction set of the cpu backend (default: the best)")
-      ->check(CLI::IsMember({"plain", "sse42", "avx2", "avx512"}));
+void ChangeArguments::add_to(const Command& command) {
+  command.option("--set", set, "KEY=VALUE: change a key of the scene (TOML, else a string)")
+      .repeatable_value();
+  command.option("--threads", threads, "threads of the cpu backend (default: all)").range(1, 4096);
+  command.option("--isa", isa, "instruction set of the cpu backend (default: the best)")
+      .one_of({"plain", "sse42", "avx2", "avx512"});
 }
 
 std::vector<Override> overrides_of(const std::vector<std::string>& set) {
@@ -38,11 +36,9 @@ std::vector<Override> overrides_of(const std::vector<std::string>& set) {
   return all;
 }
 
-void SceneArguments::add_to(CLI::App& command) {
-  command.add_option("SCENE", name, "a scene file, or the name of one that comes along")
-      ->required();
-  command.add_option("--backend", backend, "what computes")
-      ->check(CLI::IsMember({"cpu", "reference"}));
+void SceneArguments::add_to(const Command& command) {
+  command.option("SCENE", name, "a scene file, or the name of a bundled scene").required();
+  command.option("--backend", backend, "the backend that computes").one_of({"cpu", "reference"});
   ChangeArguments::add_to(command);
 }
 

@@ -18,12 +18,12 @@ std::string title_of(const std::string& name, const std::filesystem::path& file)
 
 }  // namespace
 
-void add_check(CLI::App& app, int& code) {
+void add_check(Program& program) {
   const auto a = std::make_shared<SceneArguments>();
-  CLI::App* check = app.add_subcommand("check", "Is it a good scene? Nothing is run");
-  a->add_to(*check);
-  check->footer("Example:\n  freshet check my_scene.toml");
-  check->callback([a, &code] {
+  const Command check = program.add("check", "Check a scene without running it");
+  a->add_to(check);
+  check.footer("Example:\n  freshet check my_scene.toml");
+  check.action([a] {
     const Scene scene = a->load();
     const auto warnings = scene_warnings(scene);
     print_diagnostics(warnings);
@@ -31,32 +31,32 @@ void add_check(CLI::App& app, int& code) {
                warnings.empty() ? ""
                                 : fmt::format(", with {} warning{}", warnings.size(),
                                               warnings.size() == 1 ? "" : "s"));
-    code = done;
+    return done;
   });
 }
 
-void add_scenes(CLI::App& app, int& code) {
+void add_scenes(Program& program) {
   const auto names_only = std::make_shared<bool>(false);
-  CLI::App* scenes = app.add_subcommand("scenes", "List the scenes that come along");
-  scenes->add_flag("--names", *names_only, "the names only");
-  scenes->footer("Example:\n  freshet scenes");
-  scenes->callback([names_only, &code] {
+  const Command scenes = program.add("scenes", "List the bundled scenes");
+  scenes.flag("--names", *names_only, "print the names only");
+  scenes.footer("Example:\n  freshet scenes");
+  scenes.action([names_only] {
     for (const auto& [name, file] : scenes_that_come_along()) {
       if (*names_only) fmt::print("{}\n", name);
       else fmt::print("{:<20} {}\n", name, title_of(name, file));
     }
-    code = done;
+    return done;
   });
 }
 
-void add_schema(CLI::App& app, int& code) {
+void add_schema(Program& program) {
   const auto markdown = std::make_shared<bool>(false);
-  CLI::App* schema = app.add_subcommand("schema", "Print the JSON Schema of scenes, for editors");
-  schema->add_flag("--markdown", *markdown, "print the reference of all keys instead");
-  schema->footer("Example:\n  freshet schema > scene.schema.json");
-  schema->callback([markdown, &code] {
+  const Command schema = program.add("schema", "Print the JSON Schema of scenes, for editors");
+  schema.flag("--markdown", *markdown, "print the reference of all keys instead");
+  schema.footer("Example:\n  freshet schema > scene.schema.json");
+  schema.action([markdown] {
     fmt::print("{}", *markdown ? scene_reference() : scene_schema());
-    code = done;
+    return done;
   });
 }
 

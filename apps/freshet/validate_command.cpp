@@ -123,44 +123,41 @@ int validate_with(const ValidateArguments& a) {
 
 }  // namespace
 
-void add_validate(CLI::App& app, int& code) {
+void add_validate(Program& program) {
   const auto a = std::make_shared<ValidateArguments>();
-  CLI::App* command =
-      app.add_subcommand("validate", "Hold simulations against experiments and closed forms");
-  command->add_option("CASE", a->cases, "cases to run (none: they are listed), or folders of them");
-  command->add_flag("--all", a->all, "all cases");
-  command->add_option("--solver", a->solvers, "these solvers only")->take_all();
+  const Command command =
+      program.add("validate", "Compare simulations with experiments and closed forms");
+  command.option("CASE", a->cases, "cases to run (none: list them), or folders of them");
+  command.flag("--all", a->all, "all cases");
+  command.option("--solver", a->solvers, "these solvers only").repeatable();
   command
-      ->add_option("--resolution", a->resolutions,
-                   "other particles.spacing [m], or values of what else the case varies")
-      ->take_all()
-      ->check(CLI::PositiveNumber);
+      .option("--resolution", a->resolutions,
+              "other values of particles.spacing [m], or of the key that the case varies")
+      .repeatable()
+      .positive();
   command
-      ->add_option("--set", a->set,
-                   "KEY=VALUE: change a key of all scenes; bounds stay those of the cases")
-      ->take_all()
-      ->allow_extra_args(false);
-  command->add_flag("--short", a->short_form, "coarser, with fewer solvers: minutes for all");
-  command->add_flag("--resume", a->resume,
-                    "keep what --output holds of the same scenes, and go on with what was stopped");
-  command->add_flag("--measure-only", a->measure_only,
-                    "measure the runs that --output holds, and run nothing");
-  command
-      ->add_option("--jobs", a->jobs, "runs at a time, a thread each (default: one, all threads)")
-      ->check(CLI::Range(1, 1024));
-  command->add_option("--output", a->output, "where the runs go (default: runs/validation)");
-  command->add_option("--report", a->report,
-                      "folder for index.html, validation.json and validation.md");
-  command->add_flag("--json", a->json, "the results as JSON, on standard output");
-  command->footer(
-      "The exit code is 1 where a bound is missed, or met, against what the case "
-      "tells.\nExamples:\n  freshet validate\n"
+      .option("--set", a->set,
+              "KEY=VALUE: change a key of all scenes; the bounds stay those of the cases")
+      .repeatable_value();
+  command.flag("--short", a->short_form, "coarser, with fewer solvers: minutes for all");
+  command.flag("--resume", a->resume,
+               "keep the finished runs of the same scenes in --output, and resume stopped ones");
+  command.flag("--measure-only", a->measure_only, "measure the runs in --output, and run nothing");
+  command.option("--jobs", a->jobs, "runs at a time, one thread each (default: one, all threads)")
+      .range(1, 1024);
+  command.option("--output", a->output, "the folder of the runs (default: runs/validation)");
+  command.option("--report", a->report, "folder for index.html, validation.json and validation.md");
+  command.flag("--json", a->json, "print the results as JSON");
+  command.footer(
+      "The exit code is 1 where a bound is missed, or met, against the expectation of the case.\n"
+      "Examples:\n  freshet validate\n"
       "  freshet validate dam_break_front --solver dfsph\n"
       "  freshet validate --all --short --jobs 2 --report validation_report\n"
       "  freshet validate --all --resume --report validation_report");
-  command->callback([a, &code] {
-    if (a->cases.empty() && !a->all) list();
-    else code = validate_with(*a);
+  command.action([a]() -> int {
+    if (!a->cases.empty() || a->all) return validate_with(*a);
+    list();
+    return done;
   });
 }
 

@@ -41,7 +41,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunRecord, scene_name, frames, data_times, se
 
 namespace {
 
-using Json = nlohmann::json;
+using JsonHeader = nlohmann::json;
 
 // The format changes with whatever makes an older program misread a newer file, or the reverse.
 constexpr int format = 3;
@@ -113,8 +113,8 @@ std::vector<SolveStatistics> finite(std::vector<SolveStatistics> solves) {
   return solves;
 }
 
-Json json_of(const Checkpoint& c) {
-  Json arrays = Json::array();
+JsonHeader json_of(const Checkpoint& c) {
+  JsonHeader arrays = JsonHeader::array();
   for (const Checkpoint::Array& a : c.arrays)
     arrays.push_back({{"name", a.name},
                       {"count", a.count},
@@ -134,7 +134,7 @@ Json json_of(const Checkpoint& c) {
           {"arrays", arrays}};
 }
 
-void read_json(const Json& json, Checkpoint& c) {
+void read_json(const JsonHeader& json, Checkpoint& c) {
   json.at("steps").get_to(c.steps);
   json.at("time").get_to(c.time);
   json.at("forces_asked").get_to(c.forces_asked);
@@ -146,7 +146,7 @@ void read_json(const Json& json, Checkpoint& c) {
   json.at("retries_help").get_to(c.retries_help);
   json.at("watch").get_to(c.watch);
   json.at("run").get_to(c.run);
-  for (const Json& a : json.at("arrays"))
+  for (const JsonHeader& a : json.at("arrays"))
     c.arrays.push_back({{a.at("name"), nullptr, a.at("count"), a.at("components"),
                          number_of(a.at("number")), StateArray::Role::other},
                         {}});
@@ -196,7 +196,7 @@ Checkpoint read_body(std::string_view body, const std::string& file_name) {
   Checkpoint c;
   const Hdf5Reader file(body, file_name);
   c.scene = file.read_text("scene.toml");
-  read_json(Json::parse(file.read_text("run.json")), c);
+  read_json(JsonHeader::parse(file.read_text("run.json")), c);
   for (Checkpoint::Array& a : c.arrays) read_array(file, a);
   return c;
 }

@@ -59,12 +59,8 @@ Json json(const SolveStatistics& s) {
 }
 
 Json json(const Flow& f) {
-  return {{"kind", f.kind},
-          {"name", f.name},
-          {"particles", f.particles},
-          {"waiting", f.waiting},
-          {"volume", f.volume},
-          {"rate", f.rate}};
+  return {{"kind", f.kind},       {"name", f.name},     {"particles", f.particles},
+          {"waiting", f.waiting}, {"volume", f.volume}, {"rate", f.rate}};
 }
 
 Json json(const BodyState& b) {
@@ -111,31 +107,31 @@ std::string to_json(const Report& r) {
   Json bodies = Json::object();
   for (const auto& [name, body] : r.bodies) bodies[name] = json(body);
   Json all{{"freshet", FRESHET_VERSION},
-                 {"state", word(r.state)},
-                 {"scene", r.scene},
-                 {"title", r.title},
-                 {"solver", r.solver},
-                 {"backend", r.backend},
-                 {"steps", r.steps},
-                 {"time", r.time},
-                 {"seconds", r.seconds},
-                 {"steps_per_second", r.steps_per_second()},
-                 {"particle_steps_per_second", r.particle_steps_per_second()},
-                 {"time_steps", json(r.time_steps)},
-                 {"solves", solves},
-                 {"wall_forces", forces},
-                 {"flows", flows},
-                 {"statistics", json(r.statistics)},
-                 {"picture",
-                  {{"pixels", r.picture.pixels},
-                   {"bright", r.picture.bright},
-                   {"bright_fraction", r.picture.bright_fraction()},
-                   {"bottom_third", r.picture.bottom_third}}},
-                 {"checks", checks},
-                 {"warnings", warnings},
-                 {"verbs", verbs},
-                 {"state_sha256", r.state_sha256},
-                 {"kept_sha256", r.kept_sha256}};
+           {"state", word(r.state)},
+           {"scene", r.scene},
+           {"title", r.title},
+           {"solver", r.solver},
+           {"backend", r.backend},
+           {"steps", r.steps},
+           {"time", r.time},
+           {"seconds", r.seconds},
+           {"steps_per_second", r.steps_per_second()},
+           {"particle_steps_per_second", r.particle_steps_per_second()},
+           {"time_steps", json(r.time_steps)},
+           {"solves", solves},
+           {"wall_forces", forces},
+           {"flows", flows},
+           {"statistics", json(r.statistics)},
+           {"picture",
+            {{"pixels", r.picture.pixels},
+             {"bright", r.picture.bright},
+             {"bright_fraction", r.picture.bright_fraction()},
+             {"bottom_third", r.picture.bottom_third}}},
+           {"checks", checks},
+           {"warnings", warnings},
+           {"verbs", verbs},
+           {"state_sha256", r.state_sha256},
+           {"kept_sha256", r.kept_sha256}};
   if (!r.bodies.empty()) all["bodies"] = bodies;
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

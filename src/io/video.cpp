@@ -17,7 +17,7 @@
 #include "freshet/error.h"
 #include "io/files.h"
 
-extern char** environ;
+extern "C" char** environ;  // POSIX leaves its declaration to programs
 
 namespace freshet {
 namespace {
@@ -81,7 +81,7 @@ Video::Video(std::filesystem::path file, int width, int height, double fps)
   posix_spawnattr_t own_group;  // Ctrl-C ends the run, which then lets ffmpeg finish the film
   posix_spawnattr_init(&own_group);
   posix_spawnattr_setflags(&own_group, POSIX_SPAWN_SETPGROUP);
-  const int code = ::posix_spawnp(&ffmpeg_, "ffmpeg", &actions, &own_group, argv.data(), environ);
+  const int code = ::posix_spawnp(&ffmpeg_, "ffmpeg", &actions, &own_group, argv.data(), ::environ);
   posix_spawnattr_destroy(&own_group);
   posix_spawn_file_actions_destroy(&actions);
   ::close(ends[1]);

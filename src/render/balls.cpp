@@ -15,7 +15,7 @@ constexpr int band_rows = 8;           // pixels; a band stays in a cache
 constexpr float least_radius = 0.75f;  // samples: a ball far away is still seen
 constexpr Color point_color{150, 148, 144};
 constexpr float gloss = 0.22f;
-constexpr double girth =
+constexpr double ball_girth =
     1.15;  // spacings that a ball is wide: it closes the gaps to its neighbours
 
 /// The balls that the picture shows, in the order of their particles.
@@ -41,7 +41,7 @@ Balls balls_of(const Scene& s, const Frame& fluid, const Coloring& colors, const
   balls.all.reserve(fluid.size());
   balls.colors.reserve(fluid.size());
   const double width = 2 * view.middle_x, height = 2 * view.middle_y;
-  const float size = float(girth * s.particles.spacing / 2);
+  const float size = float(ball_girth * s.particles.spacing / 2);
   for (std::size_t i = 0; i < fluid.size(); ++i) {
     const float* x = &fluid.x[3 * i];
     balls.add(view, {double(x[0]), double(x[1]), double(x[2])}, size, colors(i), width, height);

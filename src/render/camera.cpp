@@ -8,7 +8,7 @@ namespace freshet {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double margin = 0.06;                        // of the picture
+constexpr double view_margin = 0.06;                   // of the picture
 constexpr double from_right = 0.5, from_above = 0.42;  // [radians], where no position is given
 
 Point middle_of(const Scene& s) { return 0.5 * (point_of(s.domain.min) + point_of(s.domain.max)); }
@@ -28,7 +28,7 @@ Point turned(Point p, double angle) {
 /// How far from `target` an eye in the direction `towards` sees all of the domain.
 double distance_for(const Scene& s, Point target, Point towards, double field_of_view) {
   const View view({target + towards, target, field_of_view}, 1, 1);
-  const double up = (1 - 2 * margin) * std::tan(field_of_view * degree / 2);
+  const double up = (1 - 2 * view_margin) * std::tan(field_of_view * degree / 2);
   const double across = up * double(s.picture.width) / double(s.picture.height);
   double distance = 0;
   each_corner(s, [&](Point corner) {

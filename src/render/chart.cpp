@@ -19,7 +19,7 @@ namespace {
 using Style = Series::Style;
 
 // All lengths are points, a 72nd of an inch.
-constexpr double width = 720, margin = 12, gap = 12, least_height = 118;
+constexpr double width = 720, chart_margin = 12, gap = 12, least_height = 118;
 constexpr double line_height = 15, title_height = 26, numbers_height = 20, label_height = 16;
 constexpr double font_size = 10, sample_length = 22, tick_length = 4, most_of_legend = 170;
 constexpr double pixels_a_point = 2;
@@ -54,7 +54,7 @@ bool has_numbers(const Chart& chart, std::size_t k) {
 
 /// The top of the first panel.
 double head_height(const Chart& chart) {
-  return margin + (chart.title.empty() ? 0 : title_height) +
+  return chart_margin + (chart.title.empty() ? 0 : title_height) +
          (chart.styles.empty() ? 0 : line_height + 4);
 }
 
@@ -179,11 +179,11 @@ void Drawing::sample(double x, double y, const Series& s, std::size_t place) {
 }
 
 void Drawing::head() {
-  double y = margin;
+  double y = chart_margin;
   gray(0);
   if (!chart_.title.empty()) {
     font(true);
-    text(left_, y + 12, fitted(chart_.title, width - left_ - margin));
+    text(left_, y + 12, fitted(chart_.title, width - left_ - chart_margin));
     font(false);
     y += title_height;
   }
@@ -191,7 +191,7 @@ void Drawing::head() {
   for (const auto& [style, words] : chart_.styles) {
     sample(x, y + 3, {"", {}, {}, style, 7}, 0);
     gray(0);
-    const double room = (width - left_ - margin) / double(chart_.styles.size());
+    const double room = (width - left_ - chart_margin) / double(chart_.styles.size());
     const std::string cut = fitted(words, room - sample_length - 22);
     text(x + sample_length + 6, y + 7, cut);
     x += sample_length + text_width(cut) + 22;
@@ -210,8 +210,8 @@ void Drawing::measure() {
     for (const std::string& label : ticks_of(with_margin(range_of(all)), 5).labels)
       numbers = std::max(numbers, text_width(label));
   }
-  left_ = margin + label_height + numbers + 10;
-  right_ = width - margin - (names > 0 ? std::min(names, most_of_legend) + 12 : 0);
+  left_ = chart_margin + label_height + numbers + 10;
+  right_ = width - chart_margin - (names > 0 ? std::min(names, most_of_legend) + 12 : 0);
 }
 
 Range Drawing::x_range(const Panel& p) const {
@@ -302,8 +302,8 @@ void Drawing::y_axis(const Panel& p, const Box& box) {
     text(box.left - tick_length - 3, y + 0.36 * font_size, ticks.labels[k], Align::right);
   }
   gray(0);
-  upright(margin + font_size - 2, (box.top + box.bottom) / 2, with_factor(p.y_label, ticks.factor),
-          box.bottom - box.top);
+  upright(chart_margin + font_size - 2, (box.top + box.bottom) / 2,
+          with_factor(p.y_label, ticks.factor), box.bottom - box.top);
 }
 
 void Drawing::legend(const Panel& p, const Box& box) {

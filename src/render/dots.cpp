@@ -14,9 +14,9 @@ namespace {
 
 constexpr Color background{8, 10, 28}, frame{80, 80, 120}, wall{128, 126, 122};
 constexpr int margin = picture_margin;
-constexpr int default_radius = 5;  // px
-constexpr double girth = 1.15;     // spacings that a disc is wide: it closes the gaps
-constexpr float softness = 0.7f;   // of the dot's radius: where its weight is 1/e
+constexpr int default_radius = 5;    // px
+constexpr double disc_girth = 1.15;  // spacings that a disc is wide: it closes the gaps
+constexpr float softness = 0.7f;     // of the dot's radius: where its weight is 1/e
 
 std::uint8_t add(std::uint8_t below, std::uint8_t color, float weight) {
   return std::uint8_t(std::min(255.0f, float(below) + float(color) * weight));
@@ -164,7 +164,7 @@ void cover_with_discs(Image& image, const Scene& scene, const Window& window, co
                       const Coloring& colors) {
   const double across = window.pixels_per_metre(image, 0), up = window.pixels_per_metre(image, 1);
   const float natural =
-      float(std::max(1.0, girth / 2 * scene.particles.spacing * std::min(across, up)));
+      float(std::max(1.0, disc_girth / 2 * scene.particles.spacing * std::min(across, up)));
   const auto given = scene.picture.dot_radius;
   const float radius = given ? float(*given) : natural;
   const int reach = int(radius) + 2;

@@ -10,7 +10,7 @@ namespace freshet {
 namespace {
 
 constexpr double finest = 1.0 / 400;   // of the floor's longer side: a cell
-constexpr int softness = 5;            // cells that an edge is blurred over, three times
+constexpr int shadow_softness = 5;     // cells that an edge is blurred over, three times
 constexpr float fluid_opacity = 1.2f;  // of one layer of balls
 
 }  // namespace
@@ -48,7 +48,7 @@ FloorShadow::FloorShadow(const Scene& scene, const Frame& fluid,
   for (const Scene::Wall& wall : scene.wall)
     if (wall.loaded && wall.side == Side::outside) add_mesh(wall.loaded->distance.mesh());
   for (const TriangleMesh& body : bodies) add_mesh(body);
-  for (int pass = 0; pass < 3; ++pass) blur(softness);
+  for (int pass = 0; pass < 3; ++pass) blur(shadow_softness);
 }
 
 /// Each ball's share of the cells that its shadow, taken as a square, covers.

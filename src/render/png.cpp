@@ -13,7 +13,7 @@ namespace {
 
 static_assert(sizeof(Color) == 3, "pixels are handed over as packed RGB");
 
-using Context = std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)>;
+using PngContext = std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)>;
 
 void require(int code) {
   if (code != 0) throw Error(Error::Kind::run, "", std::string("PNG: ") + spng_strerror(code));
@@ -22,7 +22,7 @@ void require(int code) {
 }  // namespace
 
 std::string encode_png(const Image& image) {
-  const Context ctx(spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free);
+  const PngContext ctx(spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free);
   require(spng_set_option(ctx.get(), SPNG_ENCODE_TO_BUFFER, 1));
   spng_ihdr header{};
   header.width = std::uint32_t(image.width);
@@ -41,7 +41,7 @@ std::string encode_png(const Image& image) {
 }
 
 Image decode_png(const std::string& bytes) {
-  const Context ctx(spng_ctx_new(0), spng_ctx_free);
+  const PngContext ctx(spng_ctx_new(0), spng_ctx_free);
   require(spng_set_png_buffer(ctx.get(), bytes.data(), bytes.size()));
   spng_ihdr header{};
   require(spng_get_ihdr(ctx.get(), &header));

@@ -16,8 +16,8 @@ namespace freshet {
 namespace {
 
 constexpr std::size_t most_of_a_kind = 1000;
-constexpr double most_places = 1e6;  // of an opening
-constexpr double most_layers = 100;  // that come in a step
+constexpr double most_opening_places = 1e6;  // of an opening
+constexpr double most_layers = 100;          // that come in a step
 constexpr double hair = 1e-6;
 
 bool is_zero(const Vector& v) {
@@ -98,11 +98,11 @@ bool check_size(const Scene& s, const OpeningAt& at, Findings& out) {
                           at.name, key, *length, disc ? spacing / 2 : spacing, spacing));
     return false;
   }
-  if (places <= most_places) return true;
+  if (places <= most_opening_places) return true;
   out.error(at.path + (o.radius ? "radius" : "width"),
             fmt::format("the {}'s opening has {:.3g} places for particles; at most {:.0f} are "
                         "allowed; make it smaller or the spacing larger",
-                        at.name, places, most_places));
+                        at.name, places, most_opening_places));
   return false;
 }
 

@@ -18,10 +18,6 @@ constexpr double most_particles = 2147483647.0;
 constexpr std::size_t most_fluids = 1000, most_liquids = 8;
 constexpr double bytes_per_particle = 400;  // fields, lists and pictures, generously
 
-bool is_block(const Scene::Fluid& f) {
-  return f.shape == Shape::lattice || (f.shape == Shape::box && f.side == Side::inside);
-}
-
 /// True if the lattice of the fluid has a particle.
 bool check_not_empty(const Scene& s, const Scene::Fluid& f, const std::string& at, Findings& out) {
   const double spacing = s.particles.spacing;

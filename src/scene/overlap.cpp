@@ -9,10 +9,6 @@ namespace {
 
 using FluidPair = std::pair<std::size_t, std::size_t>;
 
-bool is_block(const Scene::Fluid& f) {
-  return f.shape == Shape::lattice || (f.shape == Shape::box && f.side == Side::inside);
-}
-
 /// Whether the lattices, in full, come closer than half a spacing. Points may be anywhere.
 bool lattices_meet(const Lattice& a, const Lattice& b, double spacing) {
   const Vector last_a = a.last(spacing), last_b = b.last(spacing);

@@ -11,6 +11,11 @@
 
 namespace freshet {
 
+/// Whether a fluid fills a lattice of its own.
+inline bool is_block(const Scene::Fluid& f) {
+  return f.shape == Shape::lattice || (f.shape == Shape::box && f.side == Side::inside);
+}
+
 /// Vectors that lead from a place to its images beyond periodic ends, 0 first.
 template <int D> std::vector<Vec<D, double>> periodic_shifts(const Scene& s) {
   std::vector<Vec<D, double>> shifts{{}};
@@ -76,7 +81,7 @@ template <int D> class Places {
   std::vector<RegionSurface<D>> walls_;
   std::vector<Vec<D, double>> shifts_;
   std::vector<InletZone<D>> zones_;  // that inlets fill
-  Vector low_, high_;  // of the domain, where its sides hold the fluid
+  Vector low_, high_;                // of the domain, where its sides hold the fluid
   PointGrid<D> wall_points_;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sim/observables.h"
+#include "sim/table.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +8,6 @@
 
 namespace freshet {
 namespace {
-
-constexpr const char* axis_names[] = {"x", "y", "z"};
 
 /// A column's name that any reader of CSV takes for one: a wall may be called as its scene likes.
 std::string quoted(const std::string& name) {

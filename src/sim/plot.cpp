@@ -19,7 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* axis_names[] = {"x", "y", "z"};
 constexpr Series::Style styles[] = {Series::Style::solid, Series::Style::dashed,
                                     Series::Style::dotted, Series::Style::dash_dot};
 

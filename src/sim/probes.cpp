@@ -13,30 +13,31 @@
 #include "kernels/lattice_sum.h"
 #include "scene/places.h"
 #include "sim/probe_places.h"
+#include "sim/table.h"
 
 namespace freshet {
-namespace {
 
-constexpr const char* axis_names[] = {"x", "y", "z"};
-constexpr double least_fraction = 0.05, surface_fraction = 0.5;
-
-/// What is known of the fluid at a place.
-struct Reading {
+/// The fluid at a point.
+struct FluidReading {
   double fraction = 0, density = 0, pressure = 0;
   std::array<double, 3> velocity{};
 };
 
-/// Readings at the places where it stands.
-class Reader {
+/// Interpolates the fluid at its points.
+class FluidReader {
  public:
-  virtual ~Reader() = default;
+  virtual ~FluidReader() = default;
   virtual void stand_at(const std::vector<std::vector<Vector>>& places) = 0;
-  virtual std::vector<Reading> read(const ParticleView& fluid) const = 0;
+  virtual std::vector<FluidReading> read(const ParticleView& fluid) const = 0;
 };
 
-template <int D> class ReaderIn final : public Reader {
+namespace {
+
+constexpr double least_fraction = 0.05, surface_fraction = 0.5;
+
+template <int D> class FluidReaderIn final : public FluidReader {
  public:
-  explicit ReaderIn(const Scene& s)
+  explicit FluidReaderIn(const Scene& s)
       : support_(support_radius(s)),
         W_(Real(support_)),
         volume_(std::pow(s.particles.spacing, D) /
@@ -53,7 +54,7 @@ template <int D> class ReaderIn final : public Reader {
       }
   }
 
-  std::vector<Reading> read(const ParticleView& f) const override {
+  std::vector<FluidReading> read(const ParticleView& f) const override {
     std::vector<std::vector<Share>> shares(count_);
     for (std::size_t i = 0; i < f.size(); ++i) {
       Vec<D, double> x{};
@@ -68,7 +69,7 @@ template <int D> class ReaderIn final : public Reader {
         if (W > 0) shares[place.number].push_back({f.id[i], i, W});
       }
     }
-    std::vector<Reading> all;
+    std::vector<FluidReading> all;
     for (auto& list : shares) all.push_back(sum(list, f));
     return all;
   }
@@ -103,10 +104,10 @@ template <int D> class ReaderIn final : public Reader {
       near_[cell].push_back({x, number});
     }
   }
-  Reading sum(std::vector<Share>& shares, const ParticleView& f) const {
+  FluidReading sum(std::vector<Share>& shares, const ParticleView& f) const {
     std::sort(shares.begin(), shares.end(),
               [](const Share& a, const Share& b) { return a.id < b.id; });
-    Reading r;
+    FluidReading r;
     double all = 0;
     for (const Share& share : shares) {
       all += share.W;
@@ -135,7 +136,7 @@ std::string number(double a) { return std::isnan(a) ? "nan" : fmt::format("{:.9g
 
 /// The furthest place along the line with half of the fluid there, between two of them where the
 /// fraction falls through it.
-double reach(const Scene::Probe& p, const std::vector<Reading>& readings) {
+double reach(const Scene::Probe& p, const std::vector<FluidReading>& readings) {
   double length2 = 0;
   for (std::size_t d = 0; d < p.from.size(); ++d)
     length2 += (p.to[d] - p.from[d]) * (p.to[d] - p.from[d]);
@@ -157,7 +158,7 @@ std::string traction_line(double time, const Vector& traction) {
 }
 
 std::string field_lines(double time, const std::vector<Vector>& at,
-                        const std::vector<Reading>& readings) {
+                        const std::vector<FluidReading>& readings) {
   std::string lines;
   for (std::size_t n = 0; n < readings.size(); ++n) {
     lines += fmt::format("{:.9g}", time);
@@ -174,13 +175,13 @@ std::string field_lines(double time, const std::vector<Vector>& at,
 struct Probes::Parts {
   const Scene& scene;
   ProbePlaces places;
-  std::unique_ptr<Reader> reader;
+  std::unique_ptr<FluidReader> reader;
 };
 
 Probes::Probes(const Scene& scene)
     : parts_(std::make_unique<Parts>(Parts{scene, ProbePlaces(scene), nullptr})) {
-  if (scene.dimension() == 2) parts_->reader = std::make_unique<ReaderIn<2>>(scene);
-  else parts_->reader = std::make_unique<ReaderIn<3>>(scene);
+  if (scene.dimension() == 2) parts_->reader = std::make_unique<FluidReaderIn<2>>(scene);
+  else parts_->reader = std::make_unique<FluidReaderIn<3>>(scene);
   parts_->reader->stand_at(parts_->places.at_the_start());
 }
 Probes::~Probes() = default;
@@ -216,7 +217,7 @@ std::vector<std::string> Probes::look(Simulation& sim) {
   auto from = readings.begin();
   auto traction = tractions.begin();
   for (std::size_t k = 0; k < size(); ++k) {
-    const std::vector<Reading> own(from, from + std::ptrdiff_t(at[k].size()));
+    const std::vector<FluidReading> own(from, from + std::ptrdiff_t(at[k].size()));
     from += std::ptrdiff_t(at[k].size());
     const Scene::Probe& probe = parts_->scene.probe[k];
     if (probe.kind == ProbeKind::wall) tables.push_back(traction_line(time, *traction++));

@@ -19,10 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const std::string& place, const std::string& why) {
-  throw Error(Error::Kind::scene, place, why);
-}
-
 fs::path picture_name(const fs::path& folder, std::size_t k) {
   return folder / fmt::format("frame_{:04}.png", k);
 }
@@ -31,13 +27,15 @@ fs::path picture_name(const fs::path& folder, std::size_t k) {
 Scene scene_of(const RenderOptions& options) {
   for (const auto& [key, value] : options.overrides)
     if (!key.starts_with("picture.") && !key.starts_with("camera.") && !key.starts_with("camera["))
-      refuse("--set " + key,
-             "the run is over: only keys of [picture] and [camera] can change now; run the scene "
-             "again for others");
+      throw Error(
+          Error::Kind::scene, "--set " + key,
+          "the run is over: only keys of [picture] and [camera] can change now; run the scene "
+          "again for others");
   const fs::path file = options.run / "scene.toml";
   if (!fs::exists(file))
-    refuse(options.run.string(),
-           "no run is in this folder (it has no scene.toml); name the folder of a finished run");
+    throw Error(
+        Error::Kind::scene, options.run.string(),
+        "no run is in this folder (it has no scene.toml); name the folder of a finished run");
   return load_scene(file, options.overrides);
 }
 
@@ -47,8 +45,9 @@ void check_output(const RenderOptions& options, const fs::path& folder, std::siz
   if (ec) fail_file(folder, "make this folder", ec.value());
   for (std::size_t k = 0; k < frames && !options.overwrite; ++k)
     if (fs::exists(picture_name(folder, k)))
-      refuse(folder.string(),
-             "this folder holds pictures; --overwrite replaces them, or choose another --output");
+      throw Error(
+          Error::Kind::scene, folder.string(),
+          "this folder holds pictures; --overwrite replaces them, or choose another --output");
   if (options.video) Video::check(options.video->file, options.overwrite);
 }
 
@@ -90,9 +89,10 @@ RenderReport render(const RenderOptions& options) {
   const Scene scene = scene_of(options);
   const std::vector<fs::path> files = frame_files(options.run);
   if (files.empty())
-    refuse(options.run.string(),
-           "this run wrote no data to draw (its folder has no data/); run its scene again with "
-           "data files switched on");
+    throw Error(
+        Error::Kind::scene, options.run.string(),
+        "this run wrote no data to draw (its folder has no data/); run its scene again with "
+        "data files switched on");
   const fs::path folder = options.output.empty() ? options.run / "pictures" : options.output;
   check_output(options, folder, files.size());
   std::optional<Film> film;

@@ -8,6 +8,9 @@
 
 namespace freshet {
 
+/// The axes in the names of columns.
+inline constexpr const char* axis_names[] = {"x", "y", "z"};
+
 /// A column of a table: of numbers, or of words where it has no unit and holds something else.
 struct Column {
   std::string name, unit;

@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A solver of a case, with all resolutions.
-struct Series {
+struct CaseSeries {
   const ValidationCase* the_case;
   std::string solver;
   std::vector<double> resolutions;
@@ -116,7 +116,7 @@ std::optional<ValidationCase::Short> short_form_of(const ValidationCase& c,
 }
 
 /// None, if it may not be run and has not been.
-std::optional<ValidationRun> run_of(const Series& s, double resolution,
+std::optional<ValidationRun> run_of(const CaseSeries& s, double resolution,
                                     const ValidateOptions& options) {
   const ValidationCase& c = *s.the_case;
   ValidationRun r;
@@ -224,7 +224,7 @@ Table table_of(const ValidationCase& c, const std::vector<ValidationRun>& runs) 
   return table;
 }
 
-std::vector<ValidationRun> run_series(const Series& s, const ValidateOptions& options) {
+std::vector<ValidationRun> run_series(const CaseSeries& s, const ValidateOptions& options) {
   std::vector<ValidationRun> runs;
   for (const double resolution : s.resolutions)
     if (auto r = run_of(s, resolution, options)) runs.push_back(std::move(*r));
@@ -240,8 +240,8 @@ std::vector<ValidationRun> run_series(const Series& s, const ValidateOptions& op
   return runs;
 }
 
-std::vector<Series> all_series(const ValidateOptions& options) {
-  std::vector<Series> all;
+std::vector<CaseSeries> all_series(const ValidateOptions& options) {
+  std::vector<CaseSeries> all;
   for (const ValidationCase& c : options.cases) {
     const auto shorter = short_form_of(c, options);
     const auto& solvers = shorter ? shorter->solvers : c.solvers;
@@ -280,10 +280,10 @@ bool ValidationRun::as_expected() const {
 std::string order_of(const ValidationMeasure& m) { return m.name + ": order of convergence"; }
 
 std::vector<ValidationRun> validate(const ValidateOptions& options) {
-  const std::vector<Series> series = all_series(options);
+  const std::vector<CaseSeries> series = all_series(options);
   std::vector<std::vector<ValidationRun>> runs(series.size());
   std::size_t all = 0, done = 0;
-  for (const Series& s : series) all += s.resolutions.size();
+  for (const CaseSeries& s : series) all += s.resolutions.size();
   ValidateOptions one_at_a_time = options;
   std::mutex telling;
   if (options.before_run)

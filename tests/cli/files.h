@@ -18,6 +18,10 @@ namespace freshet::test {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 inline const fs::path source_dir = SOURCE_DIR;
 inline const std::string article = (source_dir / "scenes/article.toml").string();
 

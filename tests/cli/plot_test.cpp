@@ -11,10 +11,6 @@
 namespace freshet::test {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// A folder with an observables.csv of two rows; `more` are further lines.
 std::string run_in(const fs::path& folder, const std::string& more = "") {
   write_text(folder / "observables.csv",

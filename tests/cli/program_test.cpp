@@ -12,10 +12,6 @@ namespace {
 using testing::Test;
 using testing::TestWithParam;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// Exit code 2, nothing on stdout and one line on stderr, which is returned.
 std::string usage_error(const std::vector<std::string>& arguments) {
   const auto r = freshet(arguments);

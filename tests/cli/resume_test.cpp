@@ -80,10 +80,6 @@ class Resume : public ::testing::Test {
   const TemporaryFolder folder;
 };
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 // At 5 moments, or as many as FRESHET_KILLS says, spread over the time that a run takes. A kill
 // that comes before the first checkpoint, or too late, is told from one that counts.
 TEST_F(Resume, AfterAKillAtAnyMoment) {

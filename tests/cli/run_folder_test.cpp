@@ -10,10 +10,6 @@
 namespace freshet::test {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// The contents of every file below a folder, by name.
 std::map<std::string, std::string> snapshot(const fs::path& folder) {
   std::map<std::string, std::string> all;

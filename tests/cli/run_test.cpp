@@ -12,10 +12,6 @@ namespace {
 
 const std::vector<std::string> no_height_check{"--set", "checks.height_mean_max=3"};
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 std::vector<std::string> good_run(const fs::path& output, std::vector<std::string> more = {}) {
   more.insert(more.end(), no_height_check.begin(), no_height_check.end());
   return short_run(output, more);

@@ -7,9 +7,9 @@
 
 #include "cli/files.h"
 #include "cli/process.h"
+#include "engine/select.h"
 #include "freshet/real.h"
 #include "freshet/scene.h"
-#include "engine/select.h"
 
 namespace freshet::test {
 namespace {
