@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "command.h"
-#include "freshet/checkpoint.h"
+#include "freshet/checkpoint_file.h"
 #include "freshet/derived.h"
 #include "freshet/simulation.h"
 #include "machine.h"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "command.h"
+#include "freshet/scene_documents.h"
 
 namespace freshet::cli {
 namespace {

@@ -328,9 +328,4 @@ std::vector<Override> at_resolution(const Scene& scene, double particles);
 /// What is doubtful in a good scene: lattice errors above 2 %, a time step over its bound, ...
 std::vector<Diagnostic> scene_warnings(const Scene& scene);
 
-/// The JSON Schema of scene files, for editors.
-std::string scene_schema();
-/// The reference of every scene key in Markdown (docs/scene.md).
-std::string scene_reference();
-
 }  // namespace freshet

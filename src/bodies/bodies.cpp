@@ -7,9 +7,9 @@
 
 #include "bodies/rigid_world.h"
 #include "core/rotation.h"
-#include "scene/body_motion.h"
-#include "scene/expressions.h"
-#include "scene/solid_of.h"
+#include "scene/model/body_motion.h"
+#include "scene/model/expressions.h"
+#include "scene/model/solid_of.h"
 
 namespace freshet {
 namespace {

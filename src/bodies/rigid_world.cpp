@@ -6,8 +6,8 @@
 #ifdef FRESHET_BULLET
 #include <btBulletDynamicsCommon.h>
 
-#include "scene/loaded_mesh.h"
-#include "scene/solid_of.h"
+#include "scene/model/loaded_mesh.h"
+#include "scene/model/solid_of.h"
 #endif
 
 namespace freshet {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "freshet/frame.h"
-#include "scene/body_shape.h"
+#include "scene/model/body_shape.h"
 
 namespace freshet {
 

@@ -9,6 +9,9 @@
 
 namespace freshet {
 
+/// The axes in the names of columns.
+inline constexpr const char* axis_letters[] = {"x", "y", "z"};
+
 /// Takes a line off the front, without its end.
 inline std::string_view take_line(std::string_view& bytes) {
   const auto end = std::min(bytes.find('\n'), bytes.size());

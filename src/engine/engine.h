@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/state_array.h"
+#include "freshet/state_array.h"
 #include "freshet/frame.h"
 #include "freshet/particles.h"
 #include "freshet/report.h"

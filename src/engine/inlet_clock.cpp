@@ -2,15 +2,9 @@
 #include "engine/inlet_clock.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace freshet {
-
-double InletPlan::layers_until(double time) const {
-  const double flows = std::min(time, stop) - start;
-  return flows > 0 ? std::floor(flows * speed / spacing + 0.5 + 1e-9) : 0;
-}
 
 InletClock::InletClock(InletPlan plan)
     : plan_(std::move(plan)), crossings_(std::size_t(plan_.layers) + 2) {}

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/plan.h"
+#include "core/inlet_plan.h"
 
 namespace freshet {
 

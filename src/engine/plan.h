@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "boundary/solid_kind.h"
-#include "engine/sample.h"
+#include "core/inlet_plan.h"
+#include "core/sample.h"
 #include "freshet/methods.h"
 #include "freshet/time_step.h"
 #include "solvers/solve.h"
@@ -16,8 +17,6 @@
 namespace freshet {
 
 class Bodies;
-
-using Triple = std::array<double, 3>;
 
 /// The surface of a box, ball, cylinder or half space: boundary/solid.h explains the members.
 struct SolidPlan {
@@ -46,26 +45,6 @@ struct CopyRulePlan {
 struct OpeningPlan {
   Triple center{}, direction{}, across{}, up{};
   double half_width, half_height, radius;
-};
-
-/// The particles that an inlet emits.
-struct InletPlan {
-  int dimension = 2;
-  std::vector<double> places;  ///< of a layer's particles on the opening, D numbers each [m]
-  Triple direction{};          ///< unit vector
-  double spacing = 0;          ///< of the layers [m]
-  int layers = 0;              ///< that fit into the zone behind the opening
-  double speed = 0;            ///< [m/s]
-  double rate = 0;             ///< [m^D/s]
-  double start = 0, stop = 0;  ///< [s]
-  int liquid = 0;              ///< index in Scene::liquids()
-  int outlet = -1;             ///< whose particles it emits again, -1: none
-
-  std::size_t particles() const { return places.size() / std::size_t(dimension); }
-  /// From the opening to the back of the zone [m].
-  double depth() const { return layers * spacing; }
-  /// Layers emitted until then; half a layer is rounded up.
-  double layers_until(double time) const;
 };
 
 /// A liquid, the densest of which has the plan's rest density.

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/state_array.h"
+#include "freshet/state_array.h"
 #include "core/vec.h"
 
 namespace freshet {

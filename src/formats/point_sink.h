@@ -49,6 +49,8 @@ void read_csv(std::string_view bytes, PointSink& sink);
 /// compressed by zlib. Columns are x, y, z; vx, vy, vz of an array "velocity", "Velocity" or "v";
 /// density, pressure and id of arrays of one component. Notes are its field data.
 void read_vtp(std::string_view bytes, PointSink& sink);
+/// Whether this build reads VTP files: pugixml and zlib were found.
+bool reads_vtp();
 
 /// Takes a word off the front; empty at the end.
 inline std::string_view take_word(std::string_view& text, const char* spaces = " \t") {

@@ -153,6 +153,8 @@ void read_piece(const std::vector<Source>& sources, std::uint64_t points, const 
 
 }  // namespace
 
+bool reads_vtp() { return true; }
+
 void read_vtp(std::string_view bytes, PointSink& sink) {
   constexpr std::uint64_t most_deflated = 1032;
   VtkFile file;

@@ -18,7 +18,7 @@
 #include "freshet/error.h"
 #include "freshet/version.h"
 #include "io/hdf5.h"
-#include "io/sha256.h"
+#include "core/sha256.h"
 
 namespace freshet {
 
@@ -113,7 +113,7 @@ std::vector<SolveStatistics> finite(std::vector<SolveStatistics> solves) {
   return solves;
 }
 
-JsonHeader json_of(const Checkpoint& c) {
+JsonHeader json_of(const RunCheckpoint& c) {
   JsonHeader arrays = JsonHeader::array();
   for (const Checkpoint::Array& a : c.arrays)
     arrays.push_back({{"name", a.name},
@@ -134,7 +134,7 @@ JsonHeader json_of(const Checkpoint& c) {
           {"arrays", arrays}};
 }
 
-void read_json(const JsonHeader& json, Checkpoint& c) {
+void read_json(const JsonHeader& json, RunCheckpoint& c) {
   json.at("steps").get_to(c.steps);
   json.at("time").get_to(c.time);
   json.at("forces_asked").get_to(c.forces_asked);
@@ -192,8 +192,8 @@ std::optional<Header> parse_header(std::string_view bytes) {
 }
 
 /// What the digest has vouched for.
-Checkpoint read_body(std::string_view body, const std::string& file_name) {
-  Checkpoint c;
+RunCheckpoint read_body(std::string_view body, const std::string& file_name) {
+  RunCheckpoint c;
   const Hdf5Reader file(body, file_name);
   c.scene = file.read_text("scene.toml");
   read_json(JsonHeader::parse(file.read_text("run.json")), c);
@@ -203,7 +203,7 @@ Checkpoint read_body(std::string_view body, const std::string& file_name) {
 
 }  // namespace
 
-std::string encode_checkpoint(const Checkpoint& c) {
+std::string encode_checkpoint(const RunCheckpoint& c) {
   Hdf5Writer file;
   file.write_text("scene.toml", c.scene);
   file.write_text("run.json", json_of(c).dump(2));
@@ -214,7 +214,7 @@ std::string encode_checkpoint(const Checkpoint& c) {
   return header(format, FRESHET_VERSION, size, digest) + body;
 }
 
-Checkpoint decode_checkpoint(std::string_view bytes, const std::string& file) {
+RunCheckpoint decode_checkpoint(std::string_view bytes, const std::string& file) {
   if (bytes.size() < block && magic.starts_with(bytes.substr(0, magic.size())))
     fail(file, fmt::format("this checkpoint is torn: {} bytes of it are here", bytes.size()));
   const auto h = parse_header(bytes);
@@ -239,7 +239,7 @@ Checkpoint decode_checkpoint(std::string_view bytes, const std::string& file) {
   }
 }
 
-Checkpoint read_checkpoint(const std::filesystem::path& file) {
+RunCheckpoint read_checkpoint(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   if (!in || !(text << in.rdbuf()))

@@ -14,7 +14,7 @@
 #include "freshet/error.h"
 #include "freshet/version.h"
 #include "io/files.h"
-#include "io/sha256.h"
+#include "core/sha256.h"
 
 namespace freshet {
 namespace {

@@ -6,7 +6,7 @@
 #include <future>
 
 #include "render/stage.h"
-#include "scene/point_cloud.h"
+#include "scene/sample/point_cloud.h"
 
 namespace freshet {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/rotation.h"
-#include "scene/body_mesh.h"
-#include "scene/body_shape.h"
+#include "scene/model/body_mesh.h"
+#include "scene/model/body_shape.h"
 
 namespace freshet {
 

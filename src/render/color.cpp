@@ -7,7 +7,7 @@
 #include <span>
 
 #include "render/dots.h"
-#include "scene/background.h"
+#include "scene/model/background.h"
 
 namespace freshet {
 namespace {

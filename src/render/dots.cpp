@@ -6,8 +6,8 @@
 
 #include "core/rotation.h"
 #include "render/bodies.h"
-#include "scene/body_shape.h"
-#include "scene/solid_of.h"
+#include "scene/model/body_shape.h"
+#include "scene/model/solid_of.h"
 
 namespace freshet {
 namespace {

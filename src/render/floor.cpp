@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "render/triangle.h"
-#include "scene/loaded_mesh.h"
+#include "scene/model/loaded_mesh.h"
 
 namespace freshet {
 namespace {

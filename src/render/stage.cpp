@@ -6,7 +6,7 @@
 #include "render/bodies.h"
 #include "render/color.h"
 #include "render/triangle.h"
-#include "scene/solid_of.h"
+#include "scene/model/solid_of.h"
 
 namespace freshet {
 namespace {

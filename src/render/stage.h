@@ -6,7 +6,7 @@
 
 #include "render/band.h"
 #include "render/floor.h"
-#include "scene/loaded_mesh.h"
+#include "scene/model/loaded_mesh.h"
 
 namespace freshet {
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include "scene/openings.h"
+#include "scene/model/openings.h"
 
 namespace freshet {
 namespace {

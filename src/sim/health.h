@@ -7,7 +7,7 @@
 #include "freshet/derived.h"
 #include "freshet/report.h"
 #include "freshet/simulation.h"
-#include "io/checkpoint.h"
+#include "freshet/checkpoint.h"
 #include "sim/look.h"
 
 namespace freshet {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "scene/region_surface.h"
+#include "scene/sample/region_surface.h"
 
 namespace freshet {
 namespace {

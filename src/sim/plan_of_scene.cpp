@@ -6,9 +6,9 @@
 #include "kernels/lattice_sum.h"
 #include "kernels/scene_kernel.h"
 #include "pairs/akinci2013.h"
-#include "scene/expressions.h"
-#include "scene/openings.h"
-#include "scene/setup.h"
+#include "scene/model/expressions.h"
+#include "scene/model/openings.h"
+#include "scene/model/setup.h"
 
 namespace freshet {
 namespace {

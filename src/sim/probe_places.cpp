@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/rotation.h"
-#include "scene/body_shape.h"
-#include "scene/probe_plane.h"
+#include "scene/model/body_shape.h"
+#include "scene/model/probe_plane.h"
 
 namespace freshet {
 namespace {

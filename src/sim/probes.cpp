@@ -9,11 +9,11 @@
 #include <limits>
 #include <map>
 
+#include "core/text.h"
 #include "kernels/cubic_spline.h"
 #include "kernels/lattice_sum.h"
-#include "scene/places.h"
+#include "scene/sample/places.h"
 #include "sim/probe_places.h"
-#include "sim/table.h"
 
 namespace freshet {
 
@@ -196,12 +196,13 @@ std::string Probes::header(std::size_t k) const {
   if (s.probe[k].kind == ProbeKind::surface) return line + ",distance [m]\n";
   if (s.probe[k].kind == ProbeKind::wall) {
     for (int d = 0; d < s.dimension(); ++d)
-      line += fmt::format(",traction {} [{}]", axis_names[d], flat ? "N/m" : "Pa");
+      line += fmt::format(",traction {} [{}]", axis_letters[d], flat ? "N/m" : "Pa");
     return line + "\n";
   }
-  for (int d = 0; d < s.dimension(); ++d) line += fmt::format(",{} [m]", axis_names[d]);
+  for (int d = 0; d < s.dimension(); ++d) line += fmt::format(",{} [m]", axis_letters[d]);
   line += ",fraction";
-  for (int d = 0; d < s.dimension(); ++d) line += fmt::format(",velocity {} [m/s]", axis_names[d]);
+  for (int d = 0; d < s.dimension(); ++d)
+    line += fmt::format(",velocity {} [m/s]", axis_letters[d]);
   return line + (flat ? ",density [kg/m^2],pressure [N/m]\n" : ",density [kg/m^3],pressure [Pa]\n");
 }
 

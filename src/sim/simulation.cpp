@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "engine/select.h"
-#include "scene/keys.h"
+#include "scene/keys/keys.h"
 #include "sim/plan_of_scene.h"
 #include "sim/simulation_impl.h"
 

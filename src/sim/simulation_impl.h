@@ -10,7 +10,7 @@
 #include "bodies/bodies.h"
 #include "engine/engine.h"
 #include "freshet/simulation.h"
-#include "scene/setup.h"
+#include "scene/model/setup.h"
 #include "sim/health.h"
 
 namespace freshet {

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <span>
 
-#include "io/checkpoint.h"
-#include "io/sha256.h"
+#include "core/sha256.h"
+#include "freshet/checkpoint.h"
 #include "sim/simulation_impl.h"
 
 namespace freshet {

@@ -8,7 +8,7 @@
 
 #include "freshet/error.h"
 #include "freshet/validate.h"
-#include "scene/keys.h"
+#include "scene/keys/keys.h"
 
 namespace freshet {
 namespace {

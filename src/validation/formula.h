@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/table.h"
+#include "run/table.h"
 
 namespace freshet {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "freshet/validate.h"
-#include "sim/table.h"
+#include "run/table.h"
 
 namespace freshet {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "freshet/version.h"
-#include "scene/keys.h"
+#include "scene/keys/keys.h"
 
 namespace freshet {
 namespace {

@@ -16,7 +16,7 @@
 
 #include "core/text.h"
 #include "freshet/run.h"
-#include "scene/inputs.h"
+#include "scene/model/inputs.h"
 #include "validation/measure.h"
 
 namespace freshet {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -12,8 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What each folder of src/ may include besides itself and the standard library: folders, or single
-/// headers. "api" stands for include/freshet.
+/// The table of arrows: what each folder of src/ may include besides itself and the standard
+/// library, folders or single headers. "api" stands for include/freshet. docs/architecture.md draws
+/// the arrows between folders.
 const std::map<std::string, std::set<std::string>> arrows{
     {"core", {"api"}},
     {"kernels", {"core", "freshet/methods.h"}},
@@ -22,27 +24,27 @@ const std::map<std::string, std::set<std::string>> arrows{
     {"solvers",
      {"core", "kernels", "pairs", "boundary", "freshet/methods.h", "freshet/time_step.h"}},
     {"engine",
-     {"core", "kernels", "pairs", "boundary", "solvers", "backend", "bodies/bodies.h",
-      "freshet/error.h", "freshet/frame.h", "freshet/methods.h", "freshet/particles.h",
-      "freshet/real.h", "freshet/report.h", "freshet/time_step.h", "freshet/vector.h", "fmt"}},
+     {"core", "kernels", "pairs", "boundary", "solvers", "backend", "bodies", "freshet/error.h",
+      "freshet/frame.h", "freshet/methods.h", "freshet/particles.h", "freshet/real.h",
+      "freshet/report.h", "freshet/state_array.h", "freshet/time_step.h", "freshet/vector.h",
+      "fmt"}},
     {"formats", {"api", "core", "fmt", "pugixml.hpp", "zlib.h"}},
     {"mesh", {"api", "core", "assimp"}},
     {"scene",
-     {"api", "core", "kernels", "boundary", "engine/plan.h", "engine/sample.h", "formats", "mesh",
-      "toml++", "fmt", "muParser.h", "nlohmann"}},
+     {"api", "core", "kernels", "boundary", "formats", "mesh", "toml++", "fmt", "muParser.h"}},
     {"bodies", {"api", "core", "mesh", "scene", "btBulletDynamicsCommon.h"}},
     {"render", {"api", "boundary", "cairo", "core", "fmt", "mesh", "scene", "spng.h"}},
-    {"io",
-     {"api", "core", "render", "formats", "fmt", "nlohmann", "openssl", "hdf5.h", "commit.h"}},
+    {"io", {"api", "core", "render", "formats", "fmt", "nlohmann", "hdf5.h", "commit.h"}},
     {"backend", {"api", "core", "boundary"}},
     {"backend/reference", {"api", "core", "backend"}},
     {"backend/cpu", {"api", "core", "backend", "omp.h", "immintrin.h"}},
-    {"backend/cuda", {"core", "kernels", "solvers", "backend/cuda"}},
+    {"backend/cuda", {"core", "kernels", "solvers"}},
     {"sim",
      {"api", "bodies", "core", "kernels", "pairs/akinci2013.h", "boundary", "scene", "engine",
-      "solvers/solve.h", "render", "io", "fmt"}},
+      "solvers/solve.h", "fmt"}},
+    {"run", {"api", "core", "scene", "sim", "render", "io", "fmt", "nlohmann"}},
     {"validation",
-     {"api", "core", "scene", "render", "sim", "fmt", "toml++", "nlohmann", "openssl",
+     {"api", "core", "scene", "render", "run", "fmt", "toml++", "nlohmann", "openssl",
       "muParser.h"}},
 };
 
@@ -81,6 +83,43 @@ TEST(Architecture, ArrowsPointOneWay) {
     }
   }
   EXPECT_GT(read, 50);
+}
+
+/// The arrows between the folders of src/, one per line, as Mermaid draws them.
+std::string diagram() {
+  std::string lines;
+  for (const auto& [from, may] : arrows) {
+    std::set<std::string> to;
+    for (const std::string& include : may) {
+      const std::string folder = arrows.contains(include) ? include : folder_of(include);
+      if (arrows.contains(folder)) to.insert(folder);
+    }
+    for (const std::string& folder : to) lines += "  " + from + " --> " + folder + "\n";
+  }
+  return lines;
+}
+
+TEST(Architecture, DocumentDrawsTheArrows) {
+  std::ifstream in(SOURCE_DIR "/docs/architecture.md");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_NE(text.find("flowchart TD\n" + diagram() + "```"), std::string::npos)
+      << "docs/architecture.md must draw these arrows:\n"
+      << diagram();
+}
+
+/// Whether `to` can be reached from `from`.
+bool reaches(const std::string& from, const std::string& to, std::set<std::string>& seen) {
+  if (!seen.insert(from).second) return false;
+  for (const std::string& next : arrows.at(from))
+    if (arrows.contains(next) && (next == to || reaches(next, to, seen))) return true;
+  return false;
+}
+
+TEST(Architecture, NoArrowPointsBack) {
+  for (const auto& [folder, may] : arrows) {
+    std::set<std::string> seen;
+    EXPECT_FALSE(reaches(folder, folder, seen)) << folder;
+  }
 }
 
 // The library never prints and never exits.

@@ -3,7 +3,7 @@
 
 #include "article/article_scene.h"
 #include "backend/reference/neighbor_lists.h"
-#include "scene/setup.h"
+#include "scene/model/setup.h"
 
 namespace freshet {
 namespace {

@@ -6,12 +6,12 @@
 #include <numbers>
 
 #include "bodies/bodies.h"
-#include "scene/body_shape.h"
+#include "scene/model/body_shape.h"
 #include "core/rotation.h"
 #include "mesh/mesh_distance.h"
-#include "scene/body_mesh.h"
-#include "scene/expressions.h"
-#include "scene/setup.h"
+#include "scene/model/body_mesh.h"
+#include "scene/model/expressions.h"
+#include "scene/model/setup.h"
 
 namespace freshet::test {
 namespace {

@@ -9,7 +9,7 @@
 #include "freshet/error.h"
 #include "io/frame_data.h"
 #include "io/frame_files.h"
-#include "scene/point_cloud.h"
+#include "scene/sample/point_cloud.h"
 
 namespace {
 

@@ -25,10 +25,10 @@ end = 1.0
 step = 0.001
 )";
 
-Checkpoint checkpoint() {
+RunCheckpoint checkpoint() {
   Simulation sim = test::simulation_of(scene);
   for (int k = 0; k < 3; ++k) sim.step();
-  Checkpoint c = sim.checkpoint();
+  RunCheckpoint c = sim.checkpoint();
   c.run.scene_name = "a name";
   c.run.frames = 7;
   c.run.observables = "step,\n0,\n";
@@ -50,7 +50,7 @@ std::string refusal(const std::string& bytes) {
 }
 
 TEST(CheckpointFile, GivesBackWhatItWasGiven) {
-  const Checkpoint a = checkpoint(), b = decode_checkpoint(encode_checkpoint(a), "step.h5");
+  const RunCheckpoint a = checkpoint(), b = decode_checkpoint(encode_checkpoint(a), "step.h5");
   EXPECT_EQ(a.scene, b.scene);
   EXPECT_EQ(3, b.steps);
   EXPECT_EQ(a.time, b.time);
@@ -71,12 +71,12 @@ TEST(CheckpointFile, GivesBackWhatItWasGiven) {
 }
 
 TEST(CheckpointFile, RemembersTheIterations) {
-  Checkpoint a = checkpoint();
+  RunCheckpoint a = checkpoint();
   a.time_steps.retried = 5;
   a.retries_help = false;
   a.solves = {{"divergence", 0.001, 20, 30, 4, 0, 2, 0.1, 1.0 / 3},
               {"density", 0.0001, 21, 50, 9, 1, 3, 1e-300, 0.2}};
-  const Checkpoint b = decode_checkpoint(encode_checkpoint(a), "step.h5");
+  const RunCheckpoint b = decode_checkpoint(encode_checkpoint(a), "step.h5");
   EXPECT_EQ(5, b.time_steps.retried);
   EXPECT_FALSE(b.retries_help);
   EXPECT_TRUE(decode_checkpoint(encode_checkpoint(checkpoint()), "step.h5").retries_help);
@@ -97,11 +97,11 @@ TEST(CheckpointFile, RemembersTheIterations) {
 
 TEST(CheckpointFile, TakesErrorsThatAreNoNumbersForTheGreatest) {
   constexpr double most = std::numeric_limits<double>::max();
-  Checkpoint a = checkpoint();
+  RunCheckpoint a = checkpoint();
   a.solves.resize(1);
   a.solves[0].last_error = std::numeric_limits<double>::quiet_NaN();
   a.solves[0].worst_error = std::numeric_limits<double>::infinity();
-  const Checkpoint b = decode_checkpoint(encode_checkpoint(a), "step.h5");
+  const RunCheckpoint b = decode_checkpoint(encode_checkpoint(a), "step.h5");
   ASSERT_EQ(1u, b.solves.size());
   EXPECT_EQ(most, b.solves[0].last_error);
   EXPECT_EQ(most, b.solves[0].worst_error);
@@ -151,7 +151,7 @@ TEST(CheckpointFile, OfSomethingElseIsRefused) {
 
 // Into another scene: the simulation stays as it was.
 TEST(Restore, RefusesAnotherScene) {
-  const Checkpoint c = checkpoint();
+  const RunCheckpoint c = checkpoint();
   const auto with = [&](const std::vector<Override>& changes) {
     Simulation sim(parse_scene(scene, "test.toml", changes));
     const std::string before = sim.state_sha256();

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "freshet/error.h"
-#include "io/sha256.h"
+#include "core/sha256.h"
 
 namespace freshet {
 namespace {

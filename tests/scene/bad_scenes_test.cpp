@@ -9,8 +9,8 @@
 #include "freshet/real.h"
 #include "freshet/scene.h"
 #include "mesh/triangle_mesh.h"
-#include "scene/body_shape.h"
-#include "scene/expressions.h"
+#include "scene/model/body_shape.h"
+#include "scene/model/expressions.h"
 
 namespace freshet::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/data_bytes.h"
+#include "scene/model/data_bytes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/mesh_surface.h"
+#include "scene/sample/mesh_surface.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include "cli/files.h"
 #include "freshet/error.h"
-#include "scene/point_cloud.h"
+#include "scene/sample/point_cloud.h"
 
 namespace freshet::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "freshet/scene.h"
-#include "scene/setup.h"
+#include "scene/model/setup.h"
 
 namespace freshet::test {
 

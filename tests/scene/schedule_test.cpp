@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "scene/schedule.h"
+#include "scene/model/schedule.h"
 
 namespace freshet {
 namespace {

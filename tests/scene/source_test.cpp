@@ -4,7 +4,7 @@
 
 #include "cli/files.h"
 #include "freshet/scene.h"
-#include "scene/inputs.h"
+#include "scene/model/inputs.h"
 
 namespace freshet::test {
 namespace {

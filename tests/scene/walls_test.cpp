@@ -6,7 +6,7 @@
 #include <set>
 
 #include "scene/scene_text.h"
-#include "scene/solid_of.h"
+#include "scene/model/solid_of.h"
 
 namespace freshet::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "freshet/simulation.h"
-#include "io/sha256.h"
+#include "core/sha256.h"
 #include "render/dots.h"
 
 namespace freshet {

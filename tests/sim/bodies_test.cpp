@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "io/checkpoint.h"
-#include "scene/body_shape.h"
-#include "scene/expressions.h"
+#include "scene/model/body_shape.h"
+#include "scene/model/expressions.h"
 #include "engine/select.h"
 #include "sim/small_scenes.h"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "scene/expressions.h"
+#include "scene/model/expressions.h"
 #include "engine/select.h"
 #include "sim/small_scenes.h"
 

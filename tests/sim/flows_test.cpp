@@ -10,7 +10,7 @@
 #include "freshet/derived.h"
 #include "io/checkpoint.h"
 #include "engine/select.h"
-#include "sim/observables.h"
+#include "run/observables.h"
 #include "sim/small_scenes.h"
 
 namespace freshet::test {

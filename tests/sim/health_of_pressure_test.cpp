@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "freshet/real.h"
+#include "io/checkpoint.h"
 #include "sim/pool.h"
 
 namespace freshet::test {

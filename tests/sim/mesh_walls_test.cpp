@@ -4,7 +4,7 @@
 #include "cli/files.h"
 #include "mesh/meshes.h"
 #include "engine/select.h"
-#include "scene/setup.h"
+#include "scene/model/setup.h"
 #include "sim/small_scenes.h"
 
 namespace freshet::test {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/setup.h"
+#include "scene/model/setup.h"
 #include "sim/health.h"
 
 namespace freshet::test {

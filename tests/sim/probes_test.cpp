@@ -9,7 +9,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "scene/expressions.h"
+#include "scene/model/expressions.h"
 #include "sim/small_scenes.h"
 
 namespace freshet::test {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "io/checkpoint.h"
-#include "scene/expressions.h"
+#include "scene/model/expressions.h"
 #include "engine/select.h"
 #include "sim/small_scenes.h"
 

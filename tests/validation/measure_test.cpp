@@ -11,7 +11,7 @@
 #include "cli/files.h"
 #include "freshet/error.h"
 #include "freshet/scene.h"
-#include "scene/expressions.h"
+#include "scene/model/expressions.h"
 
 namespace freshet::test {
 namespace {

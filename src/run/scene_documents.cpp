@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+/// The table of scene keys as a JSON Schema and as Markdown.
+#include "freshet/scene_documents.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "scene/keys/keys.h"
+
+namespace freshet {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Reduces every kind of key to one call: its type in words, its default, its words.
+class Describer : public KeyVisitor {
+ public:
+  void text(std::string_view n, std::string& v, const KeyDoc& d) override {
+    key(n, "string", fmt::format("\"{}\"", v), d);
+  }
+  void number(std::string_view n, double& v, const KeyDoc& d) override {
+    key(n, "number", fmt::format("{}", v), d);
+  }
+  void number(std::string_view n, std::optional<double>&, const KeyDoc& d) override {
+    key(n, "number", "", d);
+  }
+  void integer(std::string_view n, std::int64_t& v, const KeyDoc& d) override {
+    key(n, "integer", fmt::format("{}", v), d);
+  }
+  void integer(std::string_view n, std::optional<std::int64_t>&, const KeyDoc& d) override {
+    key(n, "integer", "", d);
+  }
+  void vector(std::string_view n, Vector& v, const KeyDoc& d) override {
+    key(n, "2 or 3 numbers", fmt::format("[{}]", fmt::join(v, ", ")), d);
+  }
+  void numbers(std::string_view n, Vector&, std::size_t count, const KeyDoc& d) override {
+    key(n, fmt::format("{} numbers", count), "", d);
+  }
+  void boolean(std::string_view n, bool& v, const KeyDoc& d) override {
+    key(n, "boolean", v ? "true" : "false", d);
+  }
+  void counts(std::string_view n, Counts&, const KeyDoc& d) override {
+    key(n, "2 or 3 integers", "", d);
+  }
+  void number_or_word(std::string_view n, double&, bool&, const char* word,
+                      const KeyDoc& d) override {
+    words_ = {word};
+    key(n, "number or word", "", d);
+    words_.clear();
+  }
+  void word(std::string_view n, int& v, Words words, const KeyDoc& d) override {
+    words_ = {words.begin(), words.end()};
+    key(n, "word", v < 0 ? "" : fmt::format("\"{}\"", words_[std::size_t(v)]), d);
+    words_.clear();
+  }
+  void texts(std::string_view n, std::vector<std::string>&, const KeyDoc& d) override {
+    key(n, "list of strings", "none", d);
+  }
+  void word_list(std::string_view n, std::vector<int>& v, Words words, const KeyDoc& d) override {
+    words_ = {words.begin(), words.end()};
+    std::string list;
+    for (const int place : v)
+      list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", words_[std::size_t(place)]);
+    key(n, "list of words", fmt::format("[{}]", list), d);
+    words_.clear();
+  }
+
+ protected:
+  virtual void key(std::string_view name, std::string_view type, const std::string& fallback,
+                   const KeyDoc& doc) = 0;
+  std::vector<std::string> words_;
+};
+
+class SchemaWriter final : public Describer {
+ public:
+  Json root{{"$schema", "http://json-schema.org/draft-07/schema#"},
+            {"title", "Freshet scene"},
+            {"type", "object"},
+            {"additionalProperties", false}};
+
+  void section(std::string_view name, std::string_view text,
+               const std::function<void()>& keys) override {
+    Json table = object(text);
+    Json* const outer = std::exchange(at_, &table);
+    keys();
+    at_ = outer;
+    add(name, table);
+  }
+  void sections(std::string_view name, std::string_view text,
+                const std::function<void(std::size_t)>& resize,
+                const std::function<void(std::size_t)>& keys) override {
+    Json table = object(text);
+    Json* const outer = std::exchange(at_, &table);
+    resize(1);
+    keys(0);
+    at_ = outer;
+    add(name, {{"oneOf", {table, {{"type", "array"}, {"items", table}}}}});
+  }
+
+ private:
+  static Json object(std::string_view text) {
+    return {{"description", text}, {"type", "object"}, {"additionalProperties", false}};
+  }
+  void add(std::string_view name, const Json& value) {
+    (*at_)["properties"][std::string(name)] = value;
+  }
+  static Json number(const char* type, const KeyDoc& doc) {
+    Json json{{"type", type}};
+    if (std::isfinite(doc.min)) json[doc.above ? "exclusiveMinimum" : "minimum"] = doc.min;
+    if (std::isfinite(doc.max)) json["maximum"] = doc.max;
+    return json;
+  }
+  void key(std::string_view name, std::string_view type, const std::string& fallback,
+           const KeyDoc& doc) override {
+    Json json;
+    if (type == "word") json = {{"enum", words_}};
+    else if (type == "list of words")
+      json = {{"type", "array"}, {"items", {{"enum", words_}}}, {"uniqueItems", true}};
+    else if (type == "number or word")
+      json = {{"oneOf", {number("number", doc), {{"enum", words_}}}}};
+    else if (type == "list of strings")
+      json = {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 2}, {"maxItems", 3}};
+    else if (type == "string") json = {{"type", "string"}};
+    else if (type == "number") json = number("number", doc);
+    else if (type == "integer") json = number("integer", doc);
+    else if (type == "boolean") json = {{"type", "boolean"}};
+    else if (const auto n = type.front() - '0'; type == fmt::format("{} numbers", n))
+      json = {
+          {"type", "array"}, {"items", number("number", doc)}, {"minItems", n}, {"maxItems", n}};
+    else
+      json = {{"type", "array"},
+              {"items", number(type == "2 or 3 integers" ? "integer" : "number", doc)},
+              {"minItems", 2},
+              {"maxItems", 3}};
+    json["description"] =
+        fmt::format("{}{}", doc.text, doc.unit.empty() ? "" : fmt::format(" [{}]", doc.unit));
+    if (doc.required) (*at_)["required"].push_back(std::string(name));
+    else if (doc.fallback.empty()) json["default"] = Json::parse(fallback);
+    add(name, json);
+  }
+  Json* at_ = &root;
+};
+
+class MarkdownWriter final : public Describer {
+ public:
+  std::string out;
+
+  void section(std::string_view name, std::string_view text,
+               const std::function<void()>& keys) override {
+    heading(fmt::format("[{}]", name), text);
+    keys();
+  }
+  void sections(std::string_view name, std::string_view text,
+                const std::function<void(std::size_t)>& resize,
+                const std::function<void(std::size_t)>& keys) override {
+    heading(fmt::format("[{}{}]", outer_, name), text);
+    const std::string before = std::exchange(outer_, fmt::format("{}{}.", outer_, name));
+    resize(1);
+    keys(0);
+    outer_ = before;
+  }
+  void heading(std::string_view title, std::string_view text) {
+    out += fmt::format(
+        "\n## {}\n\n{}\n\n| key | type | unit | default | range | meaning |\n"
+        "|---|---|---|---|---|---|\n",
+        title, text);
+  }
+
+ private:
+  std::string outer_;  // of tables in tables
+  std::string range(const KeyDoc& doc) const {
+    std::string text;
+    if (!words_.empty()) text = fmt::format("`{}`", fmt::join(words_, "`, `"));
+    if (std::isfinite(doc.min))
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", doc.above ? ">" : "≥", doc.min);
+    if (std::isfinite(doc.max))
+      text += fmt::format("{}≤ {:.10g}", text.empty() ? "" : ", ", doc.max);
+    return text;
+  }
+  void key(std::string_view name, std::string_view type, const std::string& fallback,
+           const KeyDoc& doc) override {
+    const std::string initial = doc.required           ? "required"
+                                : doc.fallback.empty() ? fmt::format("`{}`", fallback)
+                                                       : std::string(doc.fallback);
+    out += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", name, type, doc.unit, initial,
+                       range(doc), doc.text);
+  }
+};
+
+}  // namespace
+
+std::string scene_schema() {
+  SchemaWriter writer;
+  Scene defaults;
+  visit_keys(writer, defaults);
+  return writer.root.dump(2) + "\n";
+}
+
+std::string scene_reference() {
+  MarkdownWriter writer;
+  writer.out =
+      "# Scenes\n\n"
+      "A scene is a TOML file. Every key stands here, made from the table in "
+      "`src/scene/keys/keys.cpp`\n"
+      "that the parser itself checks against (`freshet schema --markdown` prints this page,\n"
+      "`freshet schema` the JSON Schema for editors). All units are SI. A scene has as many "
+      "dimensions\n"
+      "as `domain.max` has numbers, 2 or 3; every vector has that many. In two dimensions a "
+      "density "
+      "is\n"
+      "a mass per area; y is up in both. Unknown keys are errors, and so are keys that nothing "
+      "uses.\n";
+  writer.heading("At the top", "What the scene is.");
+  Scene defaults;
+  visit_keys(writer, defaults);
+  return writer.out;
+}
+
+}  // namespace freshet

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "run/table.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "core/text.h"
+#include "freshet/error.h"
+
+namespace freshet {
+namespace {
+
+using Fields = std::vector<std::string>;
+
+[[noreturn]] void fail(const std::filesystem::path& file, std::size_t line,
+                       const std::string& why) {
+  throw Error(Error::Kind::scene, fmt::format("{}:{}", file.string(), line), why);
+}
+
+/// What stands between the commas; a field in quotes may hold commas, and quotes twice each.
+Fields fields_of(std::string_view line) {
+  Fields fields(1);
+  bool quoted = false;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    const char c = line[at];
+    if (c == '"' && quoted && at + 1 < line.size() && line[at + 1] == '"') {
+      fields.back() += line[++at];
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
+      fields.emplace_back();
+    } else {
+      fields.back() += c;
+    }
+  }
+  for (std::string& field : fields) field = std::string(trimmed(field));
+  return fields;
+}
+
+/// "NAME [UNIT]", or a name alone.
+Column column_of(const std::string& heading) {
+  const auto unit = heading.rfind(" [");
+  if (unit == std::string::npos || !heading.ends_with(']')) return {heading, "", {}, {}};
+  return {heading.substr(0, unit), heading.substr(unit + 2, heading.size() - unit - 3), {}, {}};
+}
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::error_code ec;
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in.is_open() || in.bad() || text.bad() || !std::filesystem::is_regular_file(file, ec))
+    throw Error(Error::Kind::scene, file.string(), "cannot be read; name a file that can");
+  return text.str();
+}
+
+/// A column whose fields are all numbers holds these; one with a unit must.
+void settle(Column& column, const std::filesystem::path& file) {
+  for (std::size_t row = 0; row < column.words.size(); ++row) {
+    const auto number = number_in(column.words[row]);
+    if (number) {
+      column.numbers.push_back(*number);
+    } else if (column.unit.empty()) {
+      column.numbers.clear();
+      return;
+    } else {
+      fail(file, row + 2,
+           fmt::format("\"{}\" in the column \"{}\" is no number; the column has a unit, [{}], and "
+                       "must hold numbers only",
+                       column.words[row], column.name, column.unit));
+    }
+  }
+  column.words.clear();
+}
+
+}  // namespace
+
+const Column* Table::find(std::string_view name) const {
+  for (const Column& column : columns)
+    if (column.name == name) return &column;
+  return nullptr;
+}
+
+Table read_table(const std::filesystem::path& file) {
+  const std::string all = bytes_of(file);
+  std::string_view bytes(all);
+  bytes = bytes.substr(0, bytes.rfind('\n') + 1);
+  if (bytes.empty()) fail(file, 1, "no whole line; the first must name the columns");
+  Table table;
+  std::size_t line = 1;
+  for (; bytes.starts_with('#'); ++line) take_line(bytes);
+  for (const std::string& heading : fields_of(take_line(bytes)))
+    table.columns.push_back(column_of(heading));
+  while (!bytes.empty()) {
+    Fields fields = fields_of(take_line(bytes));
+    ++table.rows;
+    if (fields.size() != table.columns.size())
+      fail(file, table.rows + line,
+           fmt::format("{} value{}, and the first line names {}; every line must give all",
+                       fields.size(), fields.size() == 1 ? "" : "s", table.columns.size()));
+    for (std::size_t k = 0; k < fields.size(); ++k)
+      table.columns[k].words.push_back(std::move(fields[k]));
+  }
+  for (Column& column : table.columns) settle(column, file);
+  return table;
+}
+
+}  // namespace freshet

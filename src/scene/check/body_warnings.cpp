@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "scene/check/body_warnings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "scene/model/body_motion.h"
+#include "scene/model/body_shape.h"
+#include "scene/check/findings.h"
+#include "scene/model/loaded_mesh.h"
+#include "scene/sample/sample_walls.h"
+
+namespace freshet {
+namespace {
+
+constexpr double lightest = 0.1;  // of the fluid's density: tried so far
+
+/// The greatest speed of a place of a moved body [m/s], looked for at many moments.
+double fastest(const Scene& s, const Scene::Body& b) {
+  const PrescribedMotion motion(b, s.dimension());
+  const BodyShape shape = body_shape(b);
+  double arm = shape.reach;
+  if (!b.pivot.empty()) {
+    double off2 = 0;
+    const double center[] = {shape.center.x, shape.center.y, shape.center.z};
+    for (std::size_t d = 0; d < b.pivot.size(); ++d) off2 += std::pow(b.pivot[d] - center[d], 2);
+    arm += std::sqrt(off2);
+  }
+  double most = 0;
+  for (int k = 0; k <= 1000; ++k) {
+    const auto rate = motion.at(s.time.end * k / 1000).rate;
+    most = std::max(most, std::hypot(rate[0], rate[1], rate[2]) + arm * std::abs(rate[3]));
+  }
+  return most;
+}
+
+struct Length {
+  const char* key;
+  double value;
+};
+/// The shortest way through it, and the key that makes it longer; of a mesh through the box around.
+Length thickness(const Scene::Body& b) {
+  if (b.shape == Shape::sphere) return {"radius", 2 * b.radius};
+  if (b.shape == Shape::cylinder && b.length < 2 * b.radius) return {"length", b.length};
+  if (b.shape == Shape::cylinder) return {"radius", 2 * b.radius};
+  if (b.shape == Shape::mesh) {
+    const auto sides = b.loaded->distance.high() - b.loaded->distance.low();
+    return {"scale", std::min({sides.x, sides.y, sides.z})};
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t d = 0; d < b.min.size(); ++d) least = std::min(least, b.max[d] - b.min[d]);
+  return {"max", least};
+}
+
+}  // namespace
+
+std::vector<Diagnostic> body_warnings(const Scene& s, const Derived& d) {
+  std::vector<Diagnostic> list;
+  const auto warn = [&](const std::string& key, std::string message) {
+    list.push_back({Diagnostic::Severity::warning, place_of(s, key), std::move(message)});
+  };
+  const bool layered = body_method(s) == WallMethod::adami2012;
+  bool free = false;
+  for (std::size_t k = 0; k < s.body.size(); ++k) {
+    const Scene::Body& b = s.body[k];
+    const std::string at = fmt::format("body[{}].", k), name = s.body_name(k);
+    free |= b.motion == BodyMotion::free;
+    const double reached = wall_layers(s, WallMethod::adami2012) * d.spacing;
+    const Length thick = thickness(b);
+    if (layered && thick.value < reached * (1 - 1e-6))
+      warn(at + thick.key,
+           fmt::format(
+               "{} is {:.4g} m thick, and bodies of \"adami2012\" have samples to a depth of "
+               "{:.4g} m, as far as the support reaches: the fluid before it sees what is "
+               "behind it; make it thicker or the spacing smaller",
+               name, thick.value, reached));
+    if (b.motion == BodyMotion::free) {
+      const double density = b.density.value_or(b.mass.value_or(0) / body_shape(b).volume);
+      if (density < lightest * d.rest_density)
+        warn(at + (b.density ? "density" : "mass"),
+             fmt::format("{} has {:.2g} times the density of the fluid: what it pushes aside "
+                         "weighs so much more that its motion may shake; {:g} times or more are "
+                         "calm",
+                         name, density / d.rest_density, lightest));
+    }
+    if (b.motion != BodyMotion::moved || s.time.adaptive) continue;
+    const double bound = 0.4 * d.support_radius / 2 / fastest(s, b);
+    if (s.time.step > bound)
+      warn("time.step", fmt::format("the time step {:.4g} s is over {:.4g} s, in which {} moves "
+                                    "0.4 h; fluid may pass through it",
+                                    s.time.step, bound, name));
+  }
+  for (std::size_t k = 0; k < s.wall.size() && free; ++k) {
+    const Scene::Wall& w = s.wall[k];
+    const bool round = w.shape == Shape::sphere || w.shape == Shape::cylinder;
+    if (w.shape == Shape::points || (round && w.side == Side::inside))
+      warn(fmt::format("wall[{}].shape", k),
+           fmt::format("free bodies do not collide with {}, {}: it holds the fluid only",
+                       s.wall_names()[2 * std::size_t(s.dimension()) + k],
+                       w.shape == Shape::points ? "which is of points" : "whose inside is round"));
+  }
+  return list;
+}
+
+}  // namespace freshet

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: MIT
+/// Rigid bodies and joints: what each kind of motion needs, and where they stand.
+#include <algorithm>
+#include <cmath>
+
+#include "scene/model/body_motion.h"
+#include "scene/model/body_shape.h"
+#include "scene/model/expressions.h"
+#include "scene/check/findings.h"
+#include "scene/keys/keys.h"
+#include "scene/sample/region_surface.h"
+#include "scene/sample/sample_bodies.h"
+#include "scene/model/setup.h"
+
+namespace freshet {
+namespace {
+
+constexpr std::size_t most_bodies = 1000;
+
+std::string at_body(std::size_t k) { return fmt::format("body[{}].", k); }
+
+/// Samples, whose velocity the solver knows, are what bodies are made of.
+bool check_solver(const Scene& s, Findings& out) {
+  if (s.solver.name == SolverName::mueller2003) {
+    out.error("body[0]",
+              "bodies act by samples, which mueller2003 does not have; choose "
+              "another solver.name");
+    return false;
+  }
+  const auto refuse = [&](WallMethod m, const std::string& key) {
+    if (m != WallMethod::ghost) return true;
+    out.error(key,
+              fmt::format("there are bodies, and beside them walls are {}\"akinci2012\", "
+                          "\"monaghan2009\", \"reflection\" or \"open\", not \"ghost\"; choose "
+                          "one of these",
+                          s.solver.incompressible() ? "" : "\"adami2012\", "));
+    return false;
+  };
+  const ViscosityMethod felt =
+      s.solver.incompressible() ? ViscosityMethod::monaghan2005 : ViscosityMethod::artificial;
+  if (s.viscosity_method() != felt) {
+    out.error("solver.viscosity_method",
+              fmt::format("there are bodies, which feel the viscosity \"{}\" of {} only; choose "
+                          "that, or remove the bodies",
+                          viscosity_words[int(felt)], solver_words[int(s.solver.name)]));
+    return false;
+  }
+  if (s.solver.surface_tension_method != SurfaceTensionMethod::none) {
+    out.error("solver.surface_tension_method",
+              "there are bodies, which do not feel surface tension; choose \"none\", or remove the "
+              "bodies");
+    return false;
+  }
+  const std::vector<std::string> names = s.wall_names();
+  for (int side = 0; side < 2 * s.dimension(); ++side) {
+    const std::string own = "walls." + names[std::size_t(side)];
+    if (!s.periodic(side / 2) &&
+        !refuse(s.side_method(side), out.given(own) ? own : "walls.method"))
+      return false;
+  }
+  for (std::size_t k = 0; k < s.wall.size(); ++k)
+    if (!refuse(s.wall_method(k), fmt::format("wall[{}].method", k))) return false;
+  return true;
+}
+
+/// Keys that a motion does not read.
+void check_motion_keys(const Scene::Body& b, const std::string& at, Findings& out) {
+  const char* is = motion_words[int(b.motion)];
+  const auto unused = [&](BodyMotion needed, std::initializer_list<const char*> keys) {
+    if (b.motion == needed) return;
+    for (const char* key : keys)
+      out.unused(at + key, fmt::format("body.{}", key),
+                 fmt::format("body.motion is \"{}\"; remove it, or set body.motion = \"{}\"", is,
+                             motion_words[int(needed)]));
+  };
+  unused(BodyMotion::moved, {"position", "angle", "key", "path", "interpolation", "pivot"});
+  unused(BodyMotion::free, {"density", "mass", "velocity", "angular_velocity"});
+  if (b.motion == BodyMotion::fixed)
+    for (const char* key : {"turn_axis"})
+      out.unused(at + key, fmt::format("body.{}", key),
+                 "body.motion is \"fixed\"; remove it, or set body.motion = \"moved\"");
+}
+
+bool check_axis(const Scene& s, const std::string& key, const std::string& name, const Vector& axis,
+                Findings& out) {
+  if (s.dimension() == 2)
+    out.unused(key, name, "the scene is in 2D, where everything turns about z; remove it");
+  else if (std::all_of(axis.begin(), axis.end(), [](double a) { return a == 0; })) {
+    out.error(key,
+              fmt::format("{} is 0 and has no direction; give one, for example [0, 0, 1]", name));
+    return false;
+  }
+  return true;
+}
+
+bool check_functions(const Scene& s, const Scene::Body& b, const std::string& at, Findings& out) {
+  const auto look = [&](const std::vector<std::string>& functions, const char* key) {
+    if (functions.empty()) return true;
+    if (const auto fault = fault_in(functions)) {
+      out.error(at + key, fmt::format("body.{} {}", key, *fault));
+      return false;
+    }
+    if (!Expressions(functions).depends_on_place()) return true;
+    out.error(at + key, fmt::format("body.{} depends on x, y or z, and a body moves as a whole; "
+                                    "make it a function of t",
+                                    key));
+    return false;
+  };
+  if (!b.position.empty() && b.position.size() != std::size_t(s.dimension())) {
+    out.error(at + "position",
+              fmt::format("body.position has {} functions; give {}, one for each axis",
+                          b.position.size(), s.dimension()));
+    return false;
+  }
+  const bool position = look(b.position, "position");
+  return look(b.angle.empty() ? std::vector<std::string>() : std::vector{b.angle}, "angle") &&
+         position;
+}
+
+bool check_key_frames(const Scene::Body& b, const std::string& at, Findings& out) {
+  if (b.key.size() == 1) {
+    out.error(at + "key[0]",
+              "there is one key frame; a motion needs two, add another [[body.key]]");
+    return false;
+  }
+  for (std::size_t k = 1; k < b.key.size(); ++k)
+    if (!(b.key[k].time > b.key[k - 1].time)) {
+      out.error(fmt::format("{}key[{}].time", at, k),
+                fmt::format("the time of this key frame, {:g} s, is not after the one before, {:g} "
+                            "s; sort them",
+                            b.key[k].time, b.key[k - 1].time));
+      return false;
+    }
+  return true;
+}
+
+bool check_path(const Scene& s, const Scene::Body& b, const std::string& at, Findings& out) {
+  try {
+    read_body_path(b.path, s.dimension());
+    return true;
+  } catch (const Error& e) {
+    for (const Diagnostic& d : e.diagnostics())
+      if (d.place == b.path)
+        out.error(at + "path", fmt::format("body.path is \"{}\": {}", b.path, d.message));
+      else out.list.push_back(d);
+    return false;
+  }
+}
+
+/// It starts where its shape says, and is somewhere all the time.
+bool check_course(const Scene& s, const Scene::Body& b, const std::string& at, Findings& out) {
+  const PrescribedMotion motion(b, s.dimension());
+  const bool functions = !b.position.empty() || !b.angle.empty();
+  const Displacement start = motion.at(0);
+  for (std::size_t j = 0; j < 4; ++j) {
+    const std::string key = functions        ? (j == 3 ? "angle" : "position")
+                            : b.path.empty() ? "key[0]"
+                                             : "path";
+    for (int k = 0; k <= 200; ++k)
+      if (const double t = s.time.end * k / 200; !std::isfinite(motion.at(t).value[j])) {
+        out.error(at + key, fmt::format("body.{} is no number at t = {:g} s; mend it", key, t));
+        return false;
+      }
+    const double enough = j == 3 ? 1e-6 : 1e-6 * s.particles.spacing;
+    if (std::abs(start.value[j]) <= enough) continue;
+    out.error(
+        at + key,
+        fmt::format("the body would start {:.4g} {} off the place that its shape has; let the "
+                    "motion be 0 at t = 0, or change the shape",
+                    j == 3 ? start.value[j] * 180 / 3.14159265358979 : start.value[j],
+                    j == 3 ? "° turned" : "m"));
+    return false;
+  }
+  return true;
+}
+
+bool check_moved(const Scene& s, const Scene::Body& b, const std::string& at, Findings& out) {
+  const bool functions = !b.position.empty() || !b.angle.empty();
+  const int given = functions + !b.key.empty() + !b.path.empty();
+  if (given != 1) {
+    out.error(at + "motion",
+              fmt::format("body.motion is \"moved\", and {} where it goes; give body.position and "
+                          "body.angle, or [[body.key]] frames, or body.path",
+                          given == 0 ? "nothing tells" : "more than one thing tells"));
+    return false;
+  }
+  if (functions)
+    out.unused(at + "interpolation", "body.interpolation",
+               "the motion is a function; remove it, or give key frames");
+  const bool good = functions        ? check_functions(s, b, at, out)
+                    : b.path.empty() ? check_key_frames(b, at, out)
+                                     : check_path(s, b, at, out);
+  return good && check_course(s, b, at, out);
+}
+
+bool check_free(const Scene::Body& b, const std::string& at, Findings& out) {
+  if (!moves_free_bodies())
+    out.error(at + "motion",
+              "body.motion is \"free\", and this Freshet was built without Bullet, which moves "
+              "such bodies; install libbullet-dev and build it anew");
+  if (!b.density && !b.mass)
+    out.error(at + "motion",
+              "body.motion is \"free\", and nothing tells how heavy it is; give body.density or "
+              "body.mass");
+  else if (b.density && b.mass)
+    out.error(at + "mass", "body.density and body.mass are both given; keep one of them");
+  else return moves_free_bodies();
+  return false;
+}
+
+bool check_thickness(const Scene& s, const Scene::Body& b, const std::string& at, Findings& out) {
+  const double spacing = s.particles.spacing;
+  const auto thick = [&](const char* key, double length, double least) {
+    if (length >= least * (1 - 1e-6)) return true;
+    out.error(at + key,
+              fmt::format("the body is too thin: {:.6g} m where its samples need {:.6g} at spacing "
+                          "{}; make it thicker or the spacing smaller",
+                          length, least, spacing));
+    return false;
+  };
+  if (b.shape == Shape::box)
+    for (std::size_t k = 0; k < b.min.size(); ++k)
+      if (!thick("max", b.max[k] - b.min[k], spacing)) return false;
+  const bool round = b.shape == Shape::sphere || b.shape == Shape::cylinder;
+  if (round && !thick("radius", b.radius, spacing / 2)) return false;
+  return b.shape != Shape::cylinder || thick("length", b.length, spacing);
+}
+
+/// The samples of each body, by body.
+template <int D> std::vector<std::vector<Vec<D, double>>> samples_of(const Scene& s) {
+  Sample all;
+  sample_bodies<D>(s, all);
+  std::vector<std::vector<Vec<D, double>>> samples(s.body.size());
+  for (std::size_t k = 0; k < all.bodies.body.size(); ++k) {
+    Vec<D, double> x{};
+    for (int d = 0; d < D; ++d) component(x, d) = all.bodies.x[D * k + std::size_t(d)];
+    samples[std::size_t(all.bodies.body[k])].push_back(x);
+  }
+  return samples;
+}
+
+template <int D> bool check_places(const Scene& s, bool walls_are_good, Findings& out) {
+  const auto samples = samples_of<D>(s);
+  std::vector<RegionSurface<D>> bodies;
+  for (const Scene::Body& b : s.body) bodies.emplace_back(b);
+  bool good = true;
+  const auto complain = [&](std::size_t k, const std::string& what) {
+    out.error(at_body(k).substr(0, at_body(k).size() - 1), what);
+    return good = false;
+  };
+  const auto meets = [](const auto& points, const RegionSurface<D>& surface) {
+    return std::any_of(points.begin(), points.end(),
+                       [&](const auto& x) { return surface.distance(x) < 0; });
+  };
+  for (std::size_t k = 0; k < s.body.size(); ++k) {
+    const std::string name = s.body_name(k);
+    if (samples[k].empty()) {
+      complain(k, fmt::format("{} has no samples at spacing {}: it is too thin everywhere; make it "
+                              "thicker or the spacing smaller",
+                              name, s.particles.spacing));
+      continue;
+    }
+    bool inside = false, crosses = false;
+    for (Vec<D, double> x : samples[k]) {
+      bool in = true;
+      for (int d = 0; d < D; ++d) {
+        const auto j = std::size_t(d);
+        if (s.periodic(d)) continue;
+        const bool low = component(x, d)<s.domain.min[j], high = component(x, d)> s.domain.max[j];
+        in &= !low && !high;
+        crosses |= (low && s.side_method(2 * d) != WallMethod::open) ||
+                   (high && s.side_method(2 * d + 1) != WallMethod::open);
+      }
+      inside |= in;
+    }
+    const bool free = s.body[k].motion == BodyMotion::free;
+    if (!inside) complain(k, fmt::format("{} is outside the domain; move it into it", name));
+    else if (free && crosses)
+      complain(k, fmt::format("{} reaches through a side of the domain, which would hold it; move "
+                              "it or make it smaller",
+                              name));
+    for (std::size_t w = 0; free && walls_are_good && w < s.wall.size(); ++w)
+      if (s.wall[w].shape != Shape::points && meets(samples[k], RegionSurface<D>(s.wall[w]))) {
+        complain(k,
+                 fmt::format("{} overlaps {}; move one of them", name, s.wall_names()[2 * D + w]));
+        break;
+      }
+    for (std::size_t j = 0; j < k; ++j)
+      if (meets(samples[k], bodies[j]) || meets(samples[j], bodies[k]))
+        complain(k, fmt::format("{} overlaps {}; move one of them", name, s.body_name(j)));
+    const double size = 2 * body_shape(s.body[k]).reach;
+    for (int d = 0; d < D; ++d)
+      if (const auto j = std::size_t(d);
+          free && s.periodic(d) &&
+          size + 2 * support_radius(s) > s.domain.max[j] - s.domain.min[j]) {
+        complain(k, fmt::format("{} is {:.4g} m across, too large for a domain that repeats itself "
+                                "after {:.4g} m in {}: it would meet itself; make it smaller",
+                                name, size, s.domain.max[j] - s.domain.min[j], axis_names[d]));
+        break;
+      }
+  }
+  return good;
+}
+
+bool check_body(const Scene& s, std::size_t k, Findings& out) {
+  const Scene::Body& b = s.body[k];
+  const std::string at = at_body(k);
+  if (b.shape == Shape::plane || b.shape == Shape::points || b.shape == Shape::lattice) {
+    out.error(at + "shape",
+              fmt::format("body.shape is \"{}\", which is no solid thing; a body is a "
+                          "box, sphere, cylinder or mesh",
+                          shape_words[int(b.shape)]));
+    return false;
+  }
+  out.unused(at + "side", "body.side", "fluid is outside of a body; remove it");
+  check_motion_keys(b, at, out);
+  const bool turns = check_axis(s, at + "turn_axis", "body.turn_axis", b.turn_axis, out);
+  if (!check_region(s, {b, at, "body"}, out) || !check_thickness(s, b, at, out)) return false;
+  if (b.motion == BodyMotion::moved) return check_moved(s, b, at, out) && turns;
+  return (b.motion == BodyMotion::fixed || check_free(b, at, out)) && turns;
+}
+
+bool check_joint(const Scene& s, std::size_t k, Findings& out) {
+  const Scene::Joint& j = s.joint[k];
+  const std::string at = fmt::format("joint[{}].", k);
+  const auto find = [&](const std::string& name, const char* key) {
+    return find_body(s, name, at + key, fmt::format("joint.{}", key), out);
+  };
+  bool good = check_axis(s, at + "axis", "joint.axis", j.axis, out);
+  const Scene::Body* body = find(j.body, "body");
+  good &= body && (j.other.empty() || find(j.other, "other"));
+  if (body && body->motion != BodyMotion::free) {
+    out.error(at + "body", fmt::format("joint.body is \"{}\", which is {}: a joint would hold "
+                                       "nothing; name a body with motion = \"free\"",
+                                       j.body, motion_words[int(body->motion)]));
+    good = false;
+  }
+  if (j.body == j.other) {
+    out.error(at + "other", fmt::format("joint.other is \"{}\", as joint.body is; name another, or "
+                                        "leave it out to hang the body on the world",
+                                        j.other));
+    good = false;
+  }
+  if (j.point.size() != s.domain.max.size()) {
+    out.error(at + "point", "joint.point is missing: where the hinge is; add it");
+    good = false;
+  }
+  if (j.motor_speed && !j.motor_torque)
+    out.error(at + "motor_speed",
+              "joint.motor_speed needs joint.motor_torque, the most that the "
+              "motor gives; add it");
+  if (!j.motor_speed)
+    out.unused(at + "motor_torque", "joint.motor_torque",
+               "there is no motor; give joint.motor_speed, 0 for a brake, or remove it");
+  return good;
+}
+
+}  // namespace
+
+bool check_bodies(const Scene& s, bool walls_are_good, Findings& out) {
+  if (s.body.size() > most_bodies) {
+    out.error("body", fmt::format("there are {} bodies; at most {} are allowed", s.body.size(),
+                                  most_bodies));
+    return false;
+  }
+  bool good = s.body.empty() || check_solver(s, out);
+  check_body_names(s, out);
+  for (std::size_t k = 0; k < s.body.size(); ++k) good &= check_body(s, k, out);
+  for (std::size_t k = 0; k < s.joint.size(); ++k) good &= check_joint(s, k, out);
+  if (!good || s.body.empty()) return good;
+  return s.dimension() == 2 ? check_places<2>(s, walls_are_good, out)
+                            : check_places<3>(s, walls_are_good, out);
+}
+
+}  // namespace freshet

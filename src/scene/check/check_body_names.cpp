@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <set>
+
+#include "scene/check/findings.h"
+
+namespace freshet {
+
+void check_body_names(const Scene& s, Findings& out) {
+  std::set<std::string> taken;
+  for (std::size_t k = 0; k < s.body.size(); ++k) {
+    const std::string name = s.body_name(k), key = fmt::format("body[{}].name", k);
+    const bool plain = std::none_of(name.begin(), name.end(), [](unsigned char c) {
+      return c < ' ' || c == 0x7F || c == ',' || c == '"';
+    });
+    if (!plain)
+      out.error(key,
+                "body.name holds a comma, a quote or a control character, which a table cannot; "
+                "use letters, digits and _");
+    else if (!taken.insert(name).second)
+      out.error(key,
+                fmt::format("body.name is \"{}\", which another body has; give it another", name));
+  }
+}
+
+const Scene::Body* find_body(const Scene& s, const std::string& name, const std::string& at,
+                             const std::string& key, Findings& out) {
+  std::string names;
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    if (s.body_name(b) == name) return &s.body[b];
+    names += (b ? ", " : "") + s.body_name(b);
+  }
+  out.error(at, fmt::format("{} is \"{}\", and no body is called that; {}", key, name,
+                            names.empty() ? "there is none" : "there are: " + names));
+  return nullptr;
+}
+
+}  // namespace freshet

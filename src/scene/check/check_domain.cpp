@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "freshet/real.h"
+#include "kernels/cubic_spline.h"
+#include "kernels/poly6.h"
+#include "kernels/spiky.h"
+#include "kernels/wendland.h"
+#include "scene/check/findings.h"
+#include "scene/keys/keys.h"
+#include "scene/model/setup.h"
+
+namespace freshet {
+namespace {
+
+constexpr double widest_support = 10;
+
+template <int D> bool kernels_are_normal(const Scene& s, Real support) {
+  const auto good = [](double c) { return std::isnormal(Real(c)); };
+  if (s.solver.name == SolverName::mueller2003)
+    return good(Poly6<D>(support).c) && good(Spiky<D>(support).c);
+  switch (s.solver.kernel) {
+    case KernelName::cubic_spline:
+      return good(CubicSpline<D>(support).c);
+    case KernelName::wendland_c2:
+      return good(WendlandC2<D>(support)(Pair<D, Real>({})));
+    case KernelName::wendland_c4:
+      return good(WendlandC4<D>(support)(Pair<D, Real>({})));
+    case KernelName::wendland_c6:
+      return good(WendlandC6<D>(support)(Pair<D, Real>({})));
+  }
+  return true;
+}
+
+}  // namespace
+
+bool good_domain(const Scene& s) {
+  const std::size_t n = s.domain.max.size();
+  if ((n != 2 && n != 3) || s.domain.min.size() != n) return false;
+  for (std::size_t k = 0; k < n; ++k)
+    if (!(s.domain.max[k] > s.domain.min[k])) return false;
+  return true;
+}
+
+void check_domain(const Scene& s, Findings& out) {
+  if (good_domain(s)) return;
+  const std::size_t n = s.domain.max.size();
+  if (n != 2 && n != 3)
+    return out.error("domain.max", fmt::format("domain.max has {} numbers; give its upper corner, "
+                                               "[x, y] for a scene in 2D or [x, y, z] in 3D",
+                                               n));
+  if (s.domain.min.size() != n) return;  // check_sizes tells
+  std::size_t flat = 0;
+  while (s.domain.max[flat] > s.domain.min[flat]) ++flat;
+  out.error("domain.max",
+            fmt::format("domain.max is not above domain.min in {}; the domain needs a width{} "
+                        "a height{}",
+                        axis_names[flat], n == 2 ? " and" : ",", n == 2 ? "" : " and a depth"));
+}
+
+void check_sizes(const Scene& s, Findings& out) {
+  const auto check = [&](const std::string& name, std::size_t n) {
+    if (n != 0 && n != s.domain.max.size())
+      out.error(name, fmt::format("{} has {} numbers; give {}, as domain.max has", name, n,
+                                  s.domain.max.size()));
+  };
+  const auto check_region = [&](const std::string& at, const Scene::Region& r) {
+    check(at + "min", r.min.size());
+    check(at + "max", r.max.size());
+    check(at + "from", r.from.size());
+    check(at + "count", r.count.size());
+    check(at + "center", r.center.size());
+    check(at + "axis", r.axis.size());
+    check(at + "point", r.point.size());
+    check(at + "normal", r.normal.size());
+    check(at + "rotation", r.rotation.size());
+    check(at + "translation", r.translation.size());
+  };
+  check("domain.min", s.domain.min.size());
+  check("domain.gravity", s.domain.gravity.size());
+  check("air.velocity", s.air.velocity.size());
+  for (std::size_t k = 0; k < s.fluid.size(); ++k) {
+    check_region(fmt::format("fluid[{}].", k), s.fluid[k]);
+    check(fmt::format("fluid[{}].velocity", k), s.fluid[k].velocity.size());
+  }
+  for (std::size_t k = 0; k < s.wall.size(); ++k) {
+    check_region(fmt::format("wall[{}].", k), s.wall[k]);
+    check(fmt::format("wall[{}].velocity", k), s.wall[k].velocity.size());
+  }
+  const auto check_opening = [&](const std::string& at, const Scene::Opening& o) {
+    check(at + "center", o.center.size());
+    check(at + "direction", o.direction.size());
+    check(at + "up", o.up.size());
+  };
+  for (std::size_t k = 0; k < s.inlet.size(); ++k)
+    check_opening(fmt::format("inlet[{}].", k), s.inlet[k]);
+  for (std::size_t k = 0; k < s.outlet.size(); ++k)
+    check_region(fmt::format("outlet[{}].", k), s.outlet[k]);
+  for (std::size_t k = 0; k < s.counter.size(); ++k)
+    check_opening(fmt::format("counter[{}].", k), s.counter[k]);
+  for (std::size_t k = 0; k < s.body.size(); ++k) {
+    const Scene::Body& b = s.body[k];
+    const std::string at = fmt::format("body[{}].", k);
+    check_region(at, b);
+    check(at + "pivot", b.pivot.size());
+    check(at + "turn_axis", b.turn_axis.size());
+    check(at + "velocity", b.velocity.size());
+    for (std::size_t j = 0; j < b.key.size(); ++j)
+      check(fmt::format("{}key[{}].translation", at, j), b.key[j].translation.size());
+  }
+  for (std::size_t k = 0; k < s.joint.size(); ++k) {
+    check(fmt::format("joint[{}].point", k), s.joint[k].point.size());
+    check(fmt::format("joint[{}].axis", k), s.joint[k].axis.size());
+  }
+  for (std::size_t k = 0; k < s.camera.size(); ++k) {
+    check(fmt::format("camera[{}].position", k), s.camera[k].position.size());
+    check(fmt::format("camera[{}].target", k), s.camera[k].target.size());
+  }
+}
+
+void check_periodic(const Scene& s, Findings& out) {
+  for (int k = 0; k < 3; ++k) {
+    if (!s.periodic(k)) continue;
+    if (k >= s.dimension()) {
+      out.error("domain.periodic",
+                fmt::format("domain.periodic is \"{}\", and the domain has no {}; leave it out, or "
+                            "give domain.max a third number",
+                            axes_words[int(s.domain.periodic)], axis_names[k]));
+      continue;
+    }
+    const auto j = std::size_t(k);
+    const double length = s.domain.max[j] - s.domain.min[j];
+    if (length < 2 * support_radius(s))
+      out.error("domain.periodic",
+                fmt::format("the domain is {:.6g} m long in {}, less than twice the support radius "
+                            "of {:.6g} m: a particle would meet another's images twice; make it "
+                            "longer, or the spacing smaller",
+                            length, axis_names[k], support_radius(s)));
+  }
+}
+
+void check_particles(const Scene& s, Findings& out) {
+  const auto& p = s.particles;
+  const double support = support_radius(s);
+  if (support <= p.spacing)
+    out.error("particles.support_radius",
+              fmt::format("particles.support_radius is {}, not above the spacing {}: no particle "
+                          "would have a neighbour; 2 × spacing is usual",
+                          support, p.spacing));
+  if (support > widest_support * p.spacing)
+    out.error("particles.support_radius",
+              fmt::format("particles.support_radius is {:.4g} times the spacing; at most {} times "
+                          "are allowed, 2 are usual",
+                          support / p.spacing, widest_support));
+  if (p.jitter > p.spacing / 2)
+    out.error("particles.jitter",
+              fmt::format("particles.jitter is {}; at most half the spacing, {:.6g}, is allowed",
+                          p.jitter, p.spacing / 2));
+  const bool normal = s.dimension() == 3 ? kernels_are_normal<3>(s, Real(support))
+                                         : kernels_are_normal<2>(s, Real(support));
+  if (!normal)
+    out.error(p.support_radius ? "particles.support_radius" : "particles.spacing",
+              fmt::format("a support radius of {:.4g} m is beyond what {}-bit numbers hold in the "
+                          "kernels' constants; scale the scene {}",
+                          support, 8 * sizeof(Real), support < 1 ? "up" : "down"));
+}
+
+/// Positions are held as they are, so that far from the origin they are coarse.
+void check_resolution(const Scene& s, Findings& out) {
+  double far = 0;
+  for (const Vector* corner : {&s.domain.min, &s.domain.max})
+    for (const double x : *corner) far = std::max(far, std::abs(x));
+  const double coarse = far * double(std::numeric_limits<Real>::epsilon());
+  if (s.particles.spacing < 100 * coarse)
+    out.error(
+        "particles.spacing",
+        fmt::format("particles.spacing is {}, too fine for a domain that reaches {:.3g} m from "
+                    "the origin, where {}-bit numbers are {:.2g} m apart; make it larger, or "
+                    "move the domain to the origin",
+                    s.particles.spacing, far, 8 * sizeof(Real), coarse));
+}
+
+}  // namespace freshet

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/model/background.h"
+#include "scene/model/expressions.h"
+#include "scene/check/findings.h"
+#include "scene/keys/keys.h"
+#include "scene/model/openings.h"
+#include "scene/sample/places.h"
+
+namespace freshet {
+namespace {
+
+constexpr double most_particles = 2147483647.0;
+constexpr std::size_t most_fluids = 1000, most_liquids = 8;
+constexpr double bytes_per_particle = 400;  // fields, lists and pictures, generously
+
+/// True if the lattice of the fluid has a particle.
+bool check_not_empty(const Scene& s, const Scene::Fluid& f, const std::string& at, Findings& out) {
+  const double spacing = s.particles.spacing;
+  for (std::size_t k = 0; f.shape == Shape::box && k < f.min.size() && is_block(f); ++k)
+    if (f.max[k] - f.min[k] < spacing / 2) {
+      out.error(at + "max",
+                fmt::format("the fluid is empty: from {} to {} in {} no particle of spacing {} "
+                            "fits; make it larger or the spacing smaller",
+                            f.min[k], f.max[k], axis_names[k], spacing));
+      return false;
+    }
+  if (lattice_of(s, f).particles() > 0) return true;
+  out.error(at, fmt::format("the fluid is empty: no particle of spacing {} fits into the {}; make "
+                            "it larger, move it, or make the spacing smaller",
+                            spacing, shape_words[int(f.shape)]));
+  return false;
+}
+
+/// The least and greatest coordinates of the fluid's particles, without jitter.
+std::pair<Vector, Vector> reach_of(const Scene& s, const Scene::Fluid& f) {
+  if (f.shape != Shape::points) {
+    const Lattice lattice = lattice_of(s, f);
+    return {lattice.from, lattice.last(s.particles.spacing)};
+  }
+  const std::vector<double> x = read_points(f.file, s.dimension()).x;
+  const auto n = std::size_t(s.dimension());
+  Vector low(x.begin(), x.begin() + s.dimension()), high = low;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    low[i % n] = std::min(low[i % n], x[i]);
+    high[i % n] = std::max(high[i % n], x[i]);
+  }
+  return {low, high};
+}
+
+/// The key that moves a fluid's lower or upper end.
+const char* key_of_end(const Scene::Fluid& f, bool lower) {
+  switch (f.shape) {
+    case Shape::box:
+      return lower ? "min" : "max";
+    case Shape::lattice:
+      return lower ? "from" : "count";
+    case Shape::points:
+      return "file";
+    case Shape::mesh:
+      return "translation";
+    default:
+      return "center";
+  }
+}
+
+void check_inside(const Scene& s, const Scene::Fluid& f, const std::string& at, Findings& out) {
+  if (f.outside == Outside::clamp) return;
+  const auto [from, last] = reach_of(s, f);
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const double jitter = std::min(s.particles.jitter, s.particles.spacing / 2);
+    const double low = from[k] - jitter, high = last[k] + jitter;
+    const double slack = 1e-6 * s.particles.spacing;
+    const bool below = low < s.domain.min[k] - slack;
+    if (!below && high <= s.domain.max[k] + slack) continue;
+    out.error(at + key_of_end(f, below),
+              fmt::format("the fluid's particles reach from {:.6g} to {:.6g} in {}{}, outside the "
+                          "domain ({:.6g} to {:.6g}); move it, shrink it, or let the walls take "
+                          "them in with fluid.outside = \"clamp\"",
+                          low, high, axis_names[k], jitter > 0 ? " with their jitter" : "",
+                          s.domain.min[k], s.domain.max[k]));
+  }
+}
+
+bool check_count(double particles, double samples, Findings& out) {
+  const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
+  const double all = particles + samples, needed = all * bytes_per_particle;
+  const bool lattice = out.given("fluid[0].count") && particles > samples;
+  const char* key = lattice ? "fluid[0].count" : "particles.spacing";
+  const char* remedy =
+      lattice ? "make fluid.count smaller" : "make the spacing larger or the fluid smaller";
+  const std::string of_walls = samples > 0 ? fmt::format(" ({:.4g} of walls)", samples) : "";
+  if (all > most_particles)
+    out.error(key, fmt::format("the scene has {:.4g} particles{}; at most {:.0f} are allowed; {}",
+                               all, of_walls, most_particles, remedy));
+  else if (needed > memory)
+    out.error(key, fmt::format("{:.4g} particles{} need about {:.3g} GiB of memory, and there are "
+                               "{:.3g} GiB; {}",
+                               all, of_walls, needed / (1u << 30), memory / (1u << 30), remedy));
+  return all <= most_particles && needed <= memory;
+}
+
+/// mueller2003 takes one liquid.
+void check_same_liquid(const Scene& s, std::size_t k, Findings& out) {
+  const Scene::Fluid &a = s.fluid[0], &b = s.fluid[k];
+  if (s.solver.name != SolverName::mueller2003) return;
+  if (a.rest_density == b.rest_density && a.viscosity == b.viscosity) return;
+  const char* key = a.rest_density == b.rest_density ? "viscosity" : "rest_density";
+  out.error(fmt::format("fluid[{}].{}", k, key),
+            fmt::format("fluid[{}] and fluid[0] differ in {}; mueller2003 takes one liquid, give "
+                        "all the same, or choose another solver.name",
+                        k, key));
+}
+
+void check_liquids(const Scene& s, Findings& out) {
+  const auto liquids = s.liquids();
+  if (liquids.size() > most_liquids)
+    out.error("fluid", fmt::format("there are {} liquids, fluids that differ in rest_density, "
+                                   "viscosity or color; at most {} are allowed, make some alike",
+                                   liquids.size(), most_liquids));
+  const auto lighter = [&](const Scene::Liquid& l) {
+    return l.rest_density != liquids[0].rest_density;
+  };
+  if (s.solver.density_diffusion == DensityDiffusion::fourtakas2019 &&
+      s.solver.name == SolverName::delta_sph &&
+      std::any_of(liquids.begin(), liquids.end(), lighter))
+    out.error("solver.density_diffusion",
+              "solver.density_diffusion is \"fourtakas2019\", which knows the weight of one "
+              "liquid, and the fluids differ in rest_density; choose \"antuono2010\"");
+}
+
+void check_velocity_field(const Scene& s, const Scene::Fluid& f, const std::string& at,
+                          Findings& out) {
+  if (f.velocity_field.empty()) return;
+  if (f.velocity_field.size() != std::size_t(s.dimension()))
+    return out.error(at + "velocity_field",
+                     fmt::format("fluid.velocity_field has {} functions, and the domain is in {}D; "
+                                 "give {}",
+                                 f.velocity_field.size(), s.dimension(), s.dimension()));
+  if (const auto fault = fault_in(f.velocity_field))
+    out.error(at + "velocity_field", "fluid.velocity_field " + *fault);
+  else out.unused(at + "velocity", "fluid.velocity", "fluid.velocity_field gives it; remove one");
+}
+
+void check_color(const Scene::Fluid& f, const std::string& at, Findings& out) {
+  if (f.color.empty() || (f.color[0] == '#' && background_color(f.color))) return;
+  out.error(at + "color", fmt::format("fluid.color is \"{}\", not a colour; write it as #rrggbb, "
+                                      "such as \"#3070c0\"",
+                                      f.color));
+}
+
+void check_pressure(const Scene::Fluid& f, const std::string& at, Findings& out) {
+  if (f.pressure != StartPressure::hydrostatic) return;
+  if (is_block(f) || (f.shape == Shape::plane && f.side == Side::inside)) return;
+  out.error(at + "pressure",
+            fmt::format("fluid.pressure is \"hydrostatic\", and the shape is \"{}\"; a box, a "
+                        "lattice or the inside of a plane can be so, choose one or \"zero\"",
+                        shape_words[int(f.shape)]));
+}
+
+template <int D> bool is_empty(const Scene& s, const Scene::Fluid& f) {
+  bool empty = true;
+  Places<D>(s, f).each([&](Vec<D>, std::size_t) { return empty = false; });
+  return empty;
+}
+
+/// The walls leave room, and fluids do not share it.
+void check_room(const Scene& s, const std::vector<std::size_t>& good, Findings& out) {
+  for (const std::size_t k : good) {
+    const Scene::Fluid& f = s.fluid[k];
+    const bool empty = s.dimension() == 2 ? is_empty<2>(s, f) : is_empty<3>(s, f);
+    if (empty)
+      out.error(fmt::format("fluid[{}].", k),
+                fmt::format("fluid[{}] is empty: no place of its lattice lies inside its shape and "
+                            "off the walls; move it, or make the spacing smaller",
+                            k));
+  }
+  for (const auto& [j, k] : overlapping_fluids(s, good))
+    out.error(fmt::format("fluid[{}].{}", k, key_of_end(s.fluid[k], true)),
+              fmt::format("fluid[{}] overlaps fluid[{}]: their particles would lie less than "
+                          "half a spacing apart; move one",
+                          k, j));
+}
+
+/// How many places the fluid has; none where the other checks cannot look at it.
+std::optional<double> check_shape(const Scene& s, const Scene::Fluid& f, const std::string& at,
+                                  Findings& out) {
+  if (!check_region(s, {f, at, "fluid"}, out)) return {};
+  if (f.shape != Shape::points)
+    return check_not_empty(s, f, at, out) ? std::optional(lattice_of(s, f).particles())
+                                          : std::nullopt;
+  const auto cloud = check_points(s, {f, at, "fluid"}, out);
+  if (!cloud) return {};
+  if (!cloud->v.empty())
+    out.unused(at + "velocity", "fluid.velocity", "the file gives velocities; remove it");
+  return double(cloud->x.size()) / s.dimension();
+}
+
+}  // namespace
+
+void check_fluids(const Scene& s, bool walls_are_good, bool bodies_are_good, Findings& out) {
+  if (s.fluid.size() > most_fluids)
+    return out.error("fluid", fmt::format("there are {} fluids; at most {} are allowed",
+                                          s.fluid.size(), most_fluids));
+  check_liquids(s, out);
+  double particles = 0;
+  std::vector<std::size_t> good;
+  for (std::size_t k = 0; k < s.fluid.size(); ++k) {
+    const Scene::Fluid& f = s.fluid[k];
+    const std::string at = fmt::format("fluid[{}].", k);
+    check_same_liquid(s, k, out);
+    check_color(f, at, out);
+    check_velocity_field(s, f, at, out);
+    check_pressure(f, at, out);
+    const std::optional<double> places = check_shape(s, f, at, out);
+    if (!places) continue;
+    particles += *places;
+    check_inside(s, f, at, out);
+    good.push_back(k);
+  }
+  const InflowEstimate inflow = estimate_inflow(s);
+  particles += inflow.at_start + std::min(inflow.later, room_in_domain(s));
+  const double samples =
+      (walls_are_good ? most_wall_samples(s) : 0) + (bodies_are_good ? most_body_samples(s) : 0);
+  if (check_count(particles, samples, out) && (walls_are_good || s.wall.empty()) &&
+      (bodies_are_good || s.body.empty()))
+    check_room(s, good, out);
+}
+
+}  // namespace freshet

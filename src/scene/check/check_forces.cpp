@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+/// The forces beside pressure: viscosity, surface tension, vorticity, air.
+#include "scene/check/findings.h"
+#include "scene/keys/keys.h"
+
+namespace freshet {
+namespace {
+
+void check_mueller2003_has_none(const Scene& s, Findings& out) {
+  const auto none = [&](bool asked, const char* key) {
+    if (asked)
+      out.error(key, fmt::format("{} is for the other solvers, and solver.name is "
+                                 "\"mueller2003\"; remove it, or choose another solver",
+                                 key));
+  };
+  none(s.solver.viscosity_method.has_value(), "solver.viscosity_method");
+  none(s.solver.surface_tension_method != SurfaceTensionMethod::none,
+       "solver.surface_tension_method");
+  none(s.solver.shifting_method != ShiftingMethod::none, "solver.shifting_method");
+  none(s.solver.vorticity_method != VorticityMethod::none, "solver.vorticity_method");
+  none(s.air.drag != Drag::none, "air.drag");
+}
+
+void check_viscosity(const Scene& s, Findings& out) {
+  const ViscosityMethod method = s.viscosity_method();
+  if (s.solver.incompressible() && method == ViscosityMethod::artificial)
+    out.error(
+        "solver.viscosity_method",
+        fmt::format("solver.viscosity_method = \"artificial\" is for wcsph and delta_sph, and "
+                    "solver.name is \"{}\"; choose \"monaghan2005\", \"morris1997\" or "
+                    "\"weiler2018\"",
+                    solver_words[int(s.solver.name)]));
+  if (method == ViscosityMethod::weiler2018) return;
+  for (const char* key : {"solver.viscosity_tolerance", "solver.viscosity_max_iterations"})
+    out.unused(key, key,
+               "only weiler2018 iterates; remove it, or choose solver.viscosity_method = "
+               "\"weiler2018\"");
+}
+
+void check_surface(const Scene& s, Findings& out) {
+  const SurfaceTensionMethod method = s.solver.surface_tension_method;
+  const bool acts = method != SurfaceTensionMethod::none, flattens = s.air.drag != Drag::none;
+  if (s.fluid.empty() && (acts || flattens))
+    out.error(acts ? "solver.surface_tension_method" : "air.drag",
+              fmt::format("{} reads fluid.surface_tension, and the scene has no fluid, only what "
+                          "inlets bring; add a [fluid], or remove it",
+                          acts ? "solver.surface_tension_method" : "air.drag"));
+  for (std::size_t k = 0; k < s.fluid.size(); ++k) {
+    const std::string at = fmt::format("fluid[{}].", k);
+    if (acts && !s.fluid[k].surface_tension)
+      out.error(at + "surface_tension",
+                fmt::format("solver.surface_tension_method = \"{}\" needs fluid.surface_tension "
+                            "(N/m); water's is 0.0728",
+                            tension_words[int(method)]));
+    else if (flattens && !s.fluid[k].surface_tension)
+      out.error(at + "surface_tension",
+                "air.drag = \"gissler2017\" needs fluid.surface_tension (N/m), by which drops "
+                "flatten in the wind; water's is 0.0728");
+    if (!acts && !flattens)
+      out.unused(at + "surface_tension", "fluid.surface_tension",
+                 "solver.surface_tension_method is \"none\"; choose \"morris2000\", or remove it");
+    if (method != SurfaceTensionMethod::akinci2013)
+      out.unused(at + "adhesion", "fluid.adhesion",
+                 "only akinci2013 knows adhesion; remove it, or choose "
+                 "solver.surface_tension_method = \"akinci2013\"");
+    const Scene::Fluid &a = s.fluid[0], &b = s.fluid[k];
+    for (const auto& [key, differs] :
+         {std::pair("surface_tension", a.surface_tension != b.surface_tension),
+          std::pair("adhesion", a.adhesion != b.adhesion)})
+      if (differs)
+        out.error(at + key,
+                  fmt::format("fluid[{}] and fluid[0] differ in {}; give all the same", k, key));
+  }
+}
+
+/// What has no samples does not tell where the liquid ends at a wall from where it ends at all.
+void check_surface_at_walls(const Scene& s, Findings& out) {
+  if (s.solver.surface_tension_method != SurfaceTensionMethod::morris2000) return;
+  const auto refuse = [&](WallMethod m, const std::string& key) {
+    if (m != WallMethod::monaghan2009 && m != WallMethod::reflection) return false;
+    out.error(key, fmt::format("walls of \"{}\" have no volume, and morris2000 takes what lies at "
+                               "them for a free surface; choose \"akinci2012\", \"adami2012\" or "
+                               "\"ghost\", or surface_tension_method = \"akinci2013\"",
+                               method_words[int(m)]));
+    return true;
+  };
+  const std::vector<std::string> names = s.wall_names();
+  for (int side = 0; side < 2 * s.dimension(); ++side) {
+    const std::string own = "walls." + names[std::size_t(side)];
+    if (!s.periodic(side / 2) && refuse(s.side_method(side), out.given(own) ? own : "walls.method"))
+      return;
+  }
+  for (std::size_t k = 0; k < s.wall.size(); ++k)
+    if (refuse(s.wall_method(k), fmt::format("wall[{}].method", k))) return;
+}
+
+/// Walls whose samples attract the liquid.
+bool has_akinci_walls(const Scene& s) {
+  for (int side = 0; side < 2 * s.dimension(); ++side)
+    if (!s.periodic(side / 2) && s.side_method(side) == WallMethod::akinci2012) return true;
+  for (std::size_t k = 0; k < s.wall.size(); ++k)
+    if (s.wall_method(k) == WallMethod::akinci2012) return true;
+  return false;
+}
+
+void check_adhesion(const Scene& s, Findings& out) {
+  if (s.solver.surface_tension_method != SurfaceTensionMethod::akinci2013) return;
+  for (std::size_t k = 0; k < s.fluid.size(); ++k)
+    if (s.fluid[k].adhesion > 0 && !has_akinci_walls(s))
+      out.error(fmt::format("fluid[{}].adhesion", k),
+                "fluid.adhesion acts at walls of \"akinci2012\", and there are none; remove it, "
+                "or give walls that method");
+}
+
+void check_vorticity(const Scene& s, Findings& out) {
+  const bool spins = s.solver.vorticity_method != VorticityMethod::none;
+  if (!spins) {
+    for (const char* key : {"solver.vorticity_transfer", "solver.vorticity_inertia"})
+      out.unused(key, key,
+                 "solver.vorticity_method is \"none\"; remove it, or choose \"bender2017\"");
+    return;
+  }
+  if (!s.solver.vorticity_transfer)
+    out.error("solver.vorticity_method",
+              "solver.vorticity_method = \"bender2017\" needs solver.vorticity_transfer (m²/s); "
+              "a hundredth of the spacing times the fastest speed is a good start");
+  const char* reason =
+      "solver.vorticity_method = \"bender2017\" does not know how a particle's image spins; "
+      "choose another method than \"ghost\" for the wall, or vorticity_method = \"none\"";
+  for (int side = 0; side < 2 * s.dimension(); ++side)
+    if (!s.periodic(side / 2) && s.side_method(side) == WallMethod::ghost)
+      return out.error("solver.vorticity_method", reason);
+  for (std::size_t k = 0; k < s.wall.size(); ++k)
+    if (s.wall_method(k) == WallMethod::ghost) return out.error("solver.vorticity_method", reason);
+}
+
+void check_shifting(const Scene& s, Findings& out) {
+  if (s.solver.shifting_method != ShiftingMethod::none && !s.inlet.empty())
+    out.error("solver.shifting_method",
+              "solver.shifting_method is for flows that fill their space, and would shift what the "
+              "inlets hold; remove it, or the inlets");
+}
+
+void check_air(const Scene& s, Findings& out) {
+  if (s.air.drag != Drag::none) {
+    for (std::size_t k = 1; k < s.fluid.size(); ++k)
+      if (s.liquid_of(k) != s.liquid_of(0))
+        return out.error(
+            "air.drag", fmt::format("air.drag = \"gissler2017\" takes one liquid, and fluid[{}] is "
+                                    "another than fluid[0]; give all the same, or remove it",
+                                    k));
+    return;
+  }
+  for (const char* key : {"air.velocity", "air.density", "air.viscosity"})
+    out.unused(key, key, "air.drag is \"none\"; remove it, or choose \"gissler2017\"");
+}
+
+}  // namespace
+
+void check_forces(const Scene& s, Findings& out) {
+  if (s.solver.name == SolverName::mueller2003) check_mueller2003_has_none(s, out);
+  else check_viscosity(s, out);
+  check_surface(s, out);
+  check_surface_at_walls(s, out);
+  check_adhesion(s, out);
+  check_vorticity(s, out);
+  check_shifting(s, out);
+  check_air(s, out);
+}
+
+}  // namespace freshet

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <set>
+
+#include "scene/check/findings.h"
+#include "scene/keys/keys.h"
+#include "scene/model/probe_plane.h"
+#include "scene/sample/sample_walls.h"
+#include "scene/model/setup.h"
+
+namespace freshet {
+namespace {
+
+constexpr std::size_t most_probes = 1000;
+constexpr std::int64_t most_places = 100000;
+
+bool is_file_name(const std::string& name) {
+  return name.find_first_not_of(
+             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.") ==
+             std::string::npos &&
+         name[0] != '.';
+}
+
+/// What the kind reads has to be there, and the rest must not.
+void check_vectors(const Scene& s, const Scene::Probe& p, const std::string& at, Findings& out) {
+  const bool point = p.kind == ProbeKind::point;
+  const char* kind = probe_words[int(p.kind)];
+  const auto needs = [&](const char* key, const Vector& x) {
+    if (x.empty())
+      out.error(at + key, fmt::format("probe.{} is missing; a probe of kind \"{}\" needs it, as {} "
+                                      "numbers",
+                                      key, kind, s.dimension()));
+    else if (x.size() != std::size_t(s.dimension()))
+      out.error(at + key, fmt::format("probe.{} has {} numbers, and the domain is in {}D; give {}",
+                                      key, x.size(), s.dimension(), s.dimension()));
+  };
+  if (point) {
+    needs("at", p.at);
+    for (const char* key : {"from", "to"})
+      out.unused(at + key, fmt::format("probe.{}", key),
+                 "a point has probe.at; remove it, or choose kind = \"line\"");
+  } else {
+    needs("from", p.from);
+    needs("to", p.to);
+    out.unused(at + "at", "probe.at",
+               fmt::format("a {} goes from probe.from to probe.to; remove it", kind));
+    if (!p.from.empty() && p.from == p.to)
+      out.error(at + "to", "probe.to is where probe.from is; a line needs a length, move one");
+  }
+  if (p.kind != ProbeKind::line)
+    out.unused(at + "count", "probe.count",
+               fmt::format("a {} has no count; remove it, or choose kind = \"line\"", kind));
+  if (p.kind != ProbeKind::plane)
+    out.unused(at + "apart", "probe.apart",
+               fmt::format("a {} is no plane; remove it, or choose kind = \"plane\"", kind));
+}
+
+/// Corners that differ along so many axes.
+bool check_corners(const Scene& s, const Scene::Probe& p, std::size_t wanted, const std::string& at,
+                   Findings& out) {
+  const auto n = std::size_t(s.dimension());
+  if (p.from.size() != n || p.to.size() != n || p.from == p.to) return false;  // told of already
+  std::size_t axes = 0;
+  for (std::size_t d = 0; d < n; ++d) axes += p.from[d] != p.to[d];
+  if (axes == wanted) return true;
+  out.error(at + "to", fmt::format("probe.to differs from probe.from along {} {}; {} differ along "
+                                   "{}",
+                                   axes, axes == 1 ? "axis" : "axes",
+                                   p.kind == ProbeKind::plane ? "opposite corners of a plane"
+                                   : n == 2                   ? "the ends of a stretch of wall"
+                                            : "opposite corners of a piece of wall",
+                                   wanted == 1 ? "one" : "two"));
+  return false;
+}
+
+/// A rectangle of not too many places.
+void check_plane(const Scene& s, const Scene::Probe& p, const std::string& at, Findings& out) {
+  if (!check_corners(s, p, 2, at, out)) return;
+  double places = 1;
+  for (std::size_t d = 0; d < p.from.size(); ++d) places *= 1 + double(steps_of_plane(s, p, d));
+  if (places > most_places)
+    out.error(at + "to", fmt::format("the plane has {:.3g} places; at most {} are allowed; make "
+                                     "probe.apart larger",
+                                     places, most_places));
+}
+
+bool has_samples(const Scene& s) {
+  const auto sampled = [&](WallMethod m) { return wall_layers(s, m) > 0; };
+  bool any = !s.body.empty();
+  for (int side = 0; side < 2 * s.dimension(); ++side) any = any || sampled(s.side_method(side));
+  for (std::size_t k = 0; k < s.wall.size(); ++k) any = any || sampled(s.wall_method(k));
+  return any;
+}
+
+/// A piece of a wall, and a wall that is asked by its samples.
+void check_wall(const Scene& s, const Scene::Probe& p, const std::string& at, Findings& out) {
+  if (!check_corners(s, p, std::size_t(s.dimension() - 1), at, out)) return;
+  if (!has_samples(s))
+    out.error(at + "kind",
+              fmt::format("probe.kind is \"wall\", which asks the samples of walls, and "
+                          "no wall has any; choose {}, or another kind",
+                          s.solver.name == SolverName::mueller2003
+                              ? "another solver.name than mueller2003"
+                              : "walls.method = \"akinci2012\""));
+}
+
+}  // namespace
+
+void check_probes(const Scene& s, Findings& out) {
+  if (s.probe.size() > most_probes)
+    return out.error("probe", fmt::format("there are {} probes; at most {} are allowed; a line of "
+                                          "many places is one probe",
+                                          s.probe.size(), most_probes));
+  std::set<std::string> names;
+  for (std::size_t k = 0; k < s.probe.size(); ++k) {
+    const Scene::Probe& p = s.probe[k];
+    const std::string at = fmt::format("probe[{}].", k);
+    check_vectors(s, p, at, out);
+    if (p.kind == ProbeKind::plane) check_plane(s, p, at, out);
+    if (p.kind == ProbeKind::wall) check_wall(s, p, at, out);
+    if (!p.body.empty()) find_body(s, p.body, at + "body", "probe.body", out);
+    if (p.count > most_places)
+      out.error(at + "count", fmt::format("probe.count is {}; at most {} places are allowed",
+                                          p.count, most_places));
+    if (!p.name.empty() && !is_file_name(p.name))
+      out.error(at + "name", fmt::format("probe.name is \"{}\", and names a file; write it with "
+                                         "letters, digits, _, - and .",
+                                         p.name));
+    else if (!p.name.empty() && !names.insert(p.name).second)
+      out.error(at + "name",
+                fmt::format("two probes are named \"{}\"; give each a name of its own", p.name));
+  }
+}
+
+}  // namespace freshet

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <set>
+
+#include "scene/check/findings.h"
+#include "scene/keys/keys.h"
+#include "scene/model/setup.h"
+
+namespace freshet {
+namespace {
+
+constexpr std::size_t most_walls = 1000;
+
+bool is_sampled(WallMethod m) {
+  return m == WallMethod::akinci2012 || m == WallMethod::adami2012 || m == WallMethod::monaghan2009;
+}
+
+bool has_slip(WallMethod m) {
+  return m == WallMethod::ghost || m == WallMethod::akinci2012 || m == WallMethod::adami2012;
+}
+
+const char* word_of(WallMethod m) { return method_words[int(m)]; }
+
+/// Whether the solver knows the method. `flat`: the wall could be of mirror images.
+bool check_solver(const Scene& s, WallMethod m, const std::string& key, const std::string& name,
+                  bool flat, Findings& out) {
+  const bool mueller = s.solver.name == SolverName::mueller2003;
+  if (mueller && is_sampled(m))
+    out.error(key, fmt::format("{} is \"{}\", and mueller2003 takes \"open\", \"reflection\" and "
+                               "\"ghost\"; choose one, or another solver.name",
+                               name, word_of(m)));
+  const bool extrapolates = s.solver.incompressible() && m == WallMethod::adami2012;
+  if (extrapolates)
+    out.error(key,
+              fmt::format("{} is \"adami2012\", which needs an equation of state, and {} has "
+                          "none; choose \"akinci2012\"{}",
+                          name, solver_words[int(s.solver.name)], flat ? " or \"ghost\"" : ""));
+  return !extrapolates && !(mueller && is_sampled(m));
+}
+
+/// What a method does not read.
+void check_surface_keys(bool reflects, bool slips, const std::string& at, const std::string& name,
+                        Findings& out) {
+  if (!reflects)
+    out.unused(at + "restitution", name + ".restitution",
+               "it is read where the method is \"reflection\"; remove it or choose that");
+  if (!slips)
+    out.unused(at + "slip", name + ".slip",
+               "it is read where the method is \"ghost\", \"akinci2012\" or \"adami2012\"; remove "
+               "it or choose one");
+}
+
+/// A surface that slides along itself.
+void check_velocity(const Scene& s, std::size_t k, const std::string& at, Findings& out) {
+  const Scene::Wall& w = s.wall[k];
+  if (w.velocity.empty()) return;
+  if (s.wall_method(k) != WallMethod::adami2012)
+    out.error(at + "velocity", fmt::format("wall.velocity is for \"adami2012\", and wall.method is "
+                                           "\"{}\"; choose that, or move a [[body]]",
+                                           word_of(s.wall_method(k))));
+  else if (w.slip == Slip::free_slip)
+    out.error(at + "velocity",
+              "wall.velocity takes the fluid along, and wall.slip is "
+              "\"free_slip\"; remove one of them");
+  else if (s.viscosity_method() == ViscosityMethod::weiler2018)
+    out.error(at + "velocity",
+              "solver.viscosity_method = \"weiler2018\" takes walls of "
+              "\"adami2012\" to be at rest; choose \"morris1997\" or "
+              "\"monaghan2005\", or remove wall.velocity");
+}
+
+/// The methods that hold where each wall stands.
+bool check_method_of(const Scene& s, std::size_t k, const std::string& at, Findings& out) {
+  const Scene::Wall& w = s.wall[k];
+  const WallMethod m = s.wall_method(k);
+  const std::string key = at + "method";
+  const bool box_inside = w.shape == Shape::box && w.side == Side::inside;
+  if (w.shape == Shape::points && s.solver.name == SolverName::mueller2003)
+    out.error(at + "shape",
+              "wall.shape is \"points\", whose methods mueller2003 does not have; "
+              "choose another shape or another solver.name");
+  else if (w.shape == Shape::points && !is_sampled(m))
+    out.error(key, fmt::format("wall.method is \"{}\", and points are held by \"akinci2012\"{} or "
+                               "\"monaghan2009\"; choose one",
+                               word_of(m), s.solver.incompressible() ? "" : ", \"adami2012\""));
+  else if (w.shape == Shape::mesh && m != WallMethod::akinci2012 && m != WallMethod::monaghan2009)
+    out.error(key, fmt::format("wall.method is \"{}\", and meshes are sampled in one layer; choose "
+                               "\"akinci2012\" or \"monaghan2009\"{}",
+                               word_of(m),
+                               s.solver.name == SolverName::mueller2003
+                                   ? ", and another solver.name than mueller2003"
+                                   : ""));
+  else if (m == WallMethod::open)
+    out.error(key,
+              "wall.method is \"open\": it would not be there; remove the wall or choose "
+              "another method");
+  else if (m == WallMethod::ghost && !box_inside && w.shape != Shape::plane)
+    out.error(key,
+              "wall.method is \"ghost\", which mirrors at flat walls: a plane, or a box with "
+              "side = \"inside\"; choose one of these or another method");
+  else return check_solver(s, m, key, "wall.method", box_inside || w.shape == Shape::plane, out);
+  return false;
+}
+
+/// A wall that is sampled must be wide enough to hold a sample.
+bool check_thickness(const Scene& s, std::size_t k, const std::string& at, Findings& out) {
+  const Scene::Wall& w = s.wall[k];
+  if (!is_sampled(s.wall_method(k)) || w.side == Side::inside) return true;
+  const auto too_thin = [&](const char* key, double length, double least) {
+    if (length >= least * (1 - 1e-6)) return false;
+    out.error(at + key, fmt::format("wall.{} is {}, and the wall's samples need {:.6g} at spacing "
+                                    "{}; make it larger or the spacing smaller",
+                                    key, length, least, s.particles.spacing));
+    return true;
+  };
+  const bool round = w.shape == Shape::sphere || w.shape == Shape::cylinder;
+  if (round && too_thin("radius", w.radius, s.particles.spacing / 2)) return false;
+  return w.shape != Shape::cylinder || !too_thin("length", w.length, s.particles.spacing);
+}
+
+/// Names head the columns of tables.
+void check_names(const Scene& s, Findings& out) {
+  const std::vector<std::string> names = s.wall_names();
+  const std::size_t sides = names.size() - s.wall.size();
+  std::set<std::string> taken(names.begin(), names.begin() + std::ptrdiff_t(sides));
+  for (std::size_t k = 0; k < s.wall.size(); ++k) {
+    const std::string& name = names[sides + k];
+    const std::string key = fmt::format("wall[{}].name", k);
+    const bool plain = std::none_of(name.begin(), name.end(), [](unsigned char c) {
+      return c < ' ' || c == 0x7F || c == ',' || c == '"';
+    });
+    if (!plain)
+      out.error(key,
+                "wall.name holds a comma, a quote or a control character, which a table "
+                "cannot; use letters, digits and _");
+    else if (!taken.insert(name).second)
+      out.error(key, fmt::format("wall.name is \"{}\", which another wall or a side of the domain "
+                                 "has; give it another",
+                                 name));
+  }
+}
+
+bool check_wall(const Scene& s, std::size_t k, Findings& out) {
+  const Scene::Wall& w = s.wall[k];
+  const std::string at = fmt::format("wall[{}].", k);
+  if (w.shape == Shape::lattice) {
+    out.error(at + "shape",
+              "wall.shape is \"lattice\", which only a fluid has; a wall is a box, "
+              "sphere, cylinder, plane, mesh or points");
+    return false;
+  }
+  const WallMethod m = s.wall_method(k);
+  check_surface_keys(m == WallMethod::reflection, has_slip(m), at, "wall", out);
+  check_velocity(s, k, at, out);
+  const bool good = check_method_of(s, k, at, out);
+  if (!check_region(s, {w, at, "wall"}, out) || !check_thickness(s, k, at, out)) return false;
+  return (w.shape != Shape::points || check_points(s, {w, at, "wall"}, out)) && good;
+}
+
+}  // namespace
+
+bool check_walls(const Scene& s, Findings& out) {
+  if (s.wall.size() > most_walls) {
+    out.error("wall",
+              fmt::format("there are {} walls; at most {} are allowed", s.wall.size(), most_walls));
+    return false;
+  }
+  check_names(s, out);
+  bool good = true;
+  for (std::size_t k = 0; k < s.wall.size(); ++k) good &= check_wall(s, k, out);
+  return good;
+}
+
+void check_sides(const Scene& s, Findings& out) {
+  static constexpr const char* names[] = {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
+  bool reflects = false, slips = false, shared = false, told = false;
+  for (int side = 0; side < 6; ++side) {
+    const std::string name = fmt::format("walls.{}", names[side]);
+    const char axis = axis_names[side / 2];
+    if (side >= 2 * s.dimension()) {
+      out.unused(name, name, fmt::format("the domain has no {}; remove it", axis));
+      continue;
+    }
+    if (s.periodic(side / 2)) {
+      out.unused(name, name, fmt::format("the domain is periodic in {}; remove it", axis));
+      continue;
+    }
+    const WallMethod m = s.side_method(side);
+    reflects |= m == WallMethod::reflection;
+    slips |= has_slip(m);
+    const bool own = out.given(name);
+    const std::string key = own ? name : "walls.method";
+    if (own || !told) told |= !check_solver(s, m, key, key, true, out) && !own;
+    shared |= !own;
+  }
+  if (!shared && !s.body.empty() && body_method(s) == WallMethod::adami2012)
+    check_solver(s, WallMethod::adami2012, "walls.method", "walls.method", false, out);
+  else if (!shared)
+    out.unused("walls.method", "walls.method",
+               "every side that is not periodic has its own; remove it");
+  check_surface_keys(reflects, slips, "walls.", "walls", out);
+}
+
+}  // namespace freshet

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "scene/check/probe_warnings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/check/findings.h"
+#include "scene/sample/sample_bodies.h"
+#include "scene/sample/sample_walls.h"
+
+namespace freshet {
+namespace {
+
+/// Whether a sample stands where the probe's piece of wall would ask it.
+template <class R> bool reaches(const Scene& s, const Scene::Probe& p, const std::vector<R>& x) {
+  const auto n = std::size_t(s.dimension());
+  const double reach = support_radius(s), half_cell = s.particles.spacing / 2;
+  for (std::size_t i = 0; i < x.size(); i += n) {
+    bool near = true;
+    for (std::size_t d = 0; d < n; ++d) {
+      const auto [low, high] = std::minmax(p.from[d], p.to[d]);
+      const double room = low == high ? reach : half_cell, at = double(x[i + d]);
+      near = near && at > low - room && at < high + room;
+    }
+    if (near) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Diagnostic> probe_warnings(const Scene& s) {
+  std::vector<Diagnostic> list;
+  if (std::ranges::none_of(s.probe, [](const auto& p) { return p.kind == ProbeKind::wall; }))
+    return list;
+  Sample all;
+  if (s.dimension() == 2) sample_walls<2>(s, all), sample_bodies<2>(s, all);
+  else sample_walls<3>(s, all), sample_bodies<3>(s, all);
+  for (std::size_t k = 0; k < s.probe.size(); ++k) {
+    const Scene::Probe& p = s.probe[k];
+    if (p.kind != ProbeKind::wall || reaches(s, p, all.akinci2012.x) ||
+        reaches(s, p, all.adami2012.x) || reaches(s, p, all.monaghan2009.x) ||
+        reaches(s, p, all.bodies.x))
+      continue;
+    list.push_back({Diagnostic::Severity::warning, place_of(s, fmt::format("probe[{}].from", k)),
+                    fmt::format("no sample of a wall is within a support, {:.4g} m, of this piece: "
+                                "it will tell 0; move it onto a wall",
+                                support_radius(s))});
+  }
+  return list;
+}
+
+}  // namespace freshet

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "freshet/derived.h"
+#include "scene/check/body_warnings.h"
+#include "scene/check/findings.h"
+#include "scene/model/loaded_mesh.h"
+#include "scene/check/probe_warnings.h"
+#include "scene/model/setup.h"
+
+namespace freshet {
+namespace {
+
+class Warnings {
+ public:
+  explicit Warnings(const Scene& scene) : s_(scene), d_(derive(scene)) {}
+
+  std::vector<Diagnostic> list() {
+    lattice();
+    room();
+    periodic();
+    step();
+    inlets();
+    surface();
+    for (std::size_t k = 0; k < s_.fluid.size(); ++k) mesh("fluid", k, s_.fluid[k]);
+    for (std::size_t k = 0; k < s_.wall.size(); ++k) mesh("wall", k, s_.wall[k]);
+    for (std::size_t k = 0; k < s_.body.size(); ++k) mesh("body", k, s_.body[k]);
+    for (Diagnostic& d : body_warnings(s_, d_)) list_.push_back(std::move(d));
+    for (Diagnostic& d : probe_warnings(s_)) list_.push_back(std::move(d));
+    return std::move(list_);
+  }
+
+ private:
+  void warn(const std::string& key, std::string message) {
+    list_.push_back({Diagnostic::Severity::warning, place_of(s_, key), std::move(message)});
+  }
+  void lattice() {
+    const char* support =
+        s_.particles.support_radius ? "particles.support_radius" : "particles.spacing";
+    const double spacings = d_.support_radius / d_.spacing;
+    if (std::abs(d_.density_error) > 0.02 && s_.particles.mass)
+      warn(support,
+           fmt::format(
+               "a support of {:.3g} spacings sums the density of a resting lattice to {:.3f} of "
+               "its value; 2 spacings or more are accurate",
+               spacings, 1 + d_.density_error));
+    if (std::abs(d_.gradient_error) > 0.15)
+      warn(support,
+           fmt::format(
+               "a support of {:.3g} spacings has {:.1f} neighbours: pressure gradients are off by "
+               "{:+.0f} %; {} spacings or more are better",
+               spacings, d_.neighbors, 100 * d_.gradient_error, spacings < 2.5 ? "2.5" : "3"));
+  }
+  void room() {
+    if (d_.outside > 0)
+      warn("fluid[0].outside",
+           fmt::format("{} of {:.0f} particles start outside the domain; the first "
+                       "step puts them onto its walls",
+                       d_.outside, d_.particles));
+    double volume = 1;
+    for (std::size_t k = 0; k < s_.domain.max.size(); ++k)
+      volume *= s_.domain.max[k] - s_.domain.min[k];
+    const double needed = d_.particles * d_.mass / d_.rest_density;
+    const char* unit = s_.dimension() == 3 ? "m³" : "m²";
+    if (needed > volume)
+      warn("particles.mass",
+           fmt::format("at rest density the fluid takes {:.4g} {}, and the domain has "
+                       "{:.4g} {}; it will be compressed",
+                       needed, unit, volume, unit));
+  }
+  void periodic() {
+    for (int k = 0; k < s_.dimension(); ++k) {
+      const auto j = std::size_t(k);
+      const double spacings = (s_.domain.max[j] - s_.domain.min[j]) / d_.spacing;
+      if (s_.periodic(k) && std::abs(spacings - std::round(spacings)) > 0.01)
+        warn("domain.periodic",
+             fmt::format("the domain is {:.4g} spacings long in {}, where it is periodic; with a "
+                         "whole number the particles' lattice goes on beyond its ends",
+                         spacings, axis_names[k]));
+    }
+  }
+  /// What was mended in a file, which other programs may take otherwise.
+  void mesh(const char* table, std::size_t k, const Scene::Region& region) {
+    if (region.shape != Shape::mesh || !region.loaded) return;
+    const MeshCondition& c = region.loaded->condition;
+    std::vector<std::string> found;
+    const auto tell = [&](std::int64_t count, const char* what) {
+      if (count > 0) found.push_back(fmt::format("{} {}", what, count));
+    };
+    tell(c.turned, "turned, as they faced the other way:");
+    tell(c.degenerate, "left out, as two corners lie in one place:");
+    tell(c.doubled, "left out, as they were there twice:");
+    tell(c.crowded, "edges that more than two share:");
+    const std::string key = fmt::format("{}[{}].file", table, k);
+    if (!found.empty())
+      warn(key,
+           fmt::format("{} was mended; of its triangles {}", region.file, fmt::join(found, ", ")));
+    if (!c.closed())
+      warn(key,
+           fmt::format("{} has holes ({} open edges, the first near [{:.4g}, {:.4g}, {:.4g}]): "
+                       "it is a sheet without an inside, sampled on its surface",
+                       region.file, c.open, c.open_at.x, c.open_at.y, c.open_at.z));
+  }
+  void inlets() {
+    for (std::size_t k = 0; k < s_.inlet.size(); ++k) {
+      const Scene::Inlet& in = s_.inlet[k];
+      const DerivedInlet& d = d_.inlets[k];
+      const std::string key = fmt::format("inlet[{}].{}", k, in.speed ? "speed" : "flow_rate");
+      if (!s_.solver.incompressible() && d.speed > 0.15 * d_.sound_speed)
+        warn(key, fmt::format("{} flows at {:.4g} m/s, more than a tenth of the speed of sound, "
+                              "{:.4g} m/s: it will be compressed; make {} larger, {:.3g} say",
+                              d.name, d.speed, d_.sound_speed,
+                              s_.solver.name == SolverName::mueller2003 ? "solver.stiffness"
+                                                                        : "solver.sound_speed",
+                              s_.solver.name == SolverName::mueller2003 ? 100 * d.speed * d.speed
+                                                                        : 10 * d.speed));
+      if (in.start >= s_.time.end)
+        warn(fmt::format("inlet[{}].start", k),
+             fmt::format("{} starts at {:g} s, when the run is over: it brings nothing", d.name,
+                         in.start));
+    }
+  }
+  /// Measured with six solvers (docs/forces.md).
+  void surface() {
+    if (s_.solver.surface_tension_method != SurfaceTensionMethod::morris2000 ||
+        s_.viscosity_method() == ViscosityMethod::artificial)
+      return;
+    for (std::size_t k = 0; k < s_.fluid.size(); ++k) {
+      const Scene::Fluid& f = s_.fluid[k];
+      const double least =
+          0.03 * std::sqrt(f.surface_tension.value_or(0) * f.rest_density * d_.spacing);
+      if (f.viscosity < least)
+        warn(fmt::format("fluid[{}].viscosity", k),
+             fmt::format("at this spacing a surface of morris2000 is calm from {:.2g} Pa s on, and "
+                         "the viscosity is {:g}; make it larger, or the spacing smaller",
+                         least, f.viscosity));
+    }
+  }
+  void step() {
+    if (!s_.time.adaptive && s_.time.step > d_.step_bound())
+      warn("time.step",
+           fmt::format("the time step {:.4g} s is over its bound, {:.4g} s ({}); the run may "
+                       "blow up",
+                       s_.time.step, d_.step_bound(), d_.step_bound_name()));
+  }
+
+  const Scene s_;
+  Derived d_;
+  std::vector<Diagnostic> list_;
+};
+
+}  // namespace
+
+std::vector<Diagnostic> scene_warnings(const Scene& scene) {
+  return Warnings(with_defaults(scene)).list();
+}
+
+}  // namespace freshet

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <sstream>
+
+#include "scene/check/check.h"
+#include "scene/keys/nesting.h"
+#include "scene/keys/overrides.h"
+#include "scene/keys/reader.h"
+#include "scene/model/setup.h"
+
+namespace freshet {
+namespace {
+
+constexpr std::uintmax_t largest_scene = 16u << 20;
+constexpr std::size_t most_errors = 20;
+
+std::string read_file(const std::filesystem::path& file) {
+  const auto fail = [&](const std::string& why) -> std::string {
+    throw Error(Error::Kind::scene, file.string(), why);
+  };
+  std::error_code ec;
+  const auto status = std::filesystem::status(file, ec);
+  if (!std::filesystem::exists(status)) return fail("no such scene file; check the path");
+  if (std::filesystem::is_directory(status))
+    return fail("this is a folder; name a scene file (*.toml) in it");
+  if (!std::filesystem::is_regular_file(status)) return fail("not a file; name a scene file");
+  if (std::filesystem::file_size(file, ec) > largest_scene)
+    return fail("larger than 16 MiB; that is not a scene file");
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (!in || !(text << in.rdbuf() || in.peek() == std::ifstream::traits_type::eof()))
+    return fail("cannot be read; check its permissions");
+  return text.str();
+}
+
+/// What usually helps against a syntax error, by what the parser says of it.
+constexpr const char* syntax_remedies[][2] = {
+    {"unknown escape sequence", "write \\\\ for a backslash, or quote with '...'"},
+    {"could not determine value type", "words need quotes: \"word\""},
+    {"saw ','", "decimals take a point, several numbers take brackets: [1.0, 2.0]"},
+    {"expected a comment or whitespace", "one value stands on a line, units in a comment: # m"},
+    {"unescaped control characters", "close the quotes on the same line, or write it as \\uXXXX"},
+    {"cannot redefine existing table 'fluid'", "for several fluids, write each as [[fluid]]"},
+    {"cannot redefine", "keep one of the two"},
+    {"expected decimal digit, saw '.'", "write a zero before the point: 0.5"},
+    {"expected decimal digit", "write numbers like 0.5, 2 or 1e-3"},
+    {"closing ']'", "close the array with ]"},
+    {"expected ']'", "close the name of the table with ]"},
+    {"expected value", "write a value after the ="},
+    {"expected '='", "write KEY = VALUE"},
+    {"not representable", "write it with a point or an exponent: 1e20"},
+    {"invalid utf-8", "save the file as UTF-8"},
+    {"expected keys, tables", "write KEY = VALUE or [TABLE]; is it a scene file?"}};
+
+/// The parser's words on a syntax error as a sentence of ours, with a remedy where one is known.
+std::string syntax_message(std::string words) {
+  constexpr std::string_view parsing = "Error while parsing ";
+  if (const auto colon = words.find(": "); words.starts_with(parsing) && colon != words.npos) {
+    const std::string part = words.substr(parsing.size(), colon - parsing.size());
+    const bool twice = words.find("cannot redefine") != std::string::npos;
+    words = twice ? words.substr(colon + 2)
+                  : fmt::format("this {} is not TOML{}", part == "root table" ? "line" : part,
+                                words.substr(colon));
+  } else if (!words.empty()) {
+    words =
+        fmt::format("this file is not TOML: {}{}", char(std::tolower(words[0])), words.substr(1));
+  }
+  for (const auto& [symptom, remedy] : syntax_remedies)
+    if (words.find(symptom) != std::string::npos) return fmt::format("{}; {}", words, remedy);
+  return words;
+}
+
+toml::table parse_toml(const std::string& text, const std::string& name) {
+  if (const NestingScan scan(text); scan.too_deep())
+    throw Error(Error::Kind::scene, fmt::format("{}:{}:1", name, scan.line()),
+                fmt::format("keys or brackets nest more than {} deep in this line; "
+                            "no scene does, is it a scene file?",
+                            NestingScan::deepest));
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& e) {
+    const auto at = e.source().begin;
+    throw Error(Error::Kind::scene, fmt::format("{}:{}:{}", name, at.line, at.column),
+                syntax_message(std::string(e.description())));
+  }
+}
+
+/// In the order of the file, and no more than a screen of them.
+void throw_errors(std::vector<Diagnostic> errors, const SceneReader& reader,
+                  const std::string& name) {
+  if (errors.empty()) return;
+  std::stable_sort(errors.begin(), errors.end(), [&](const Diagnostic& a, const Diagnostic& b) {
+    return reader.position(a.place) < reader.position(b.place);
+  });
+  if (errors.size() > most_errors) {
+    const auto rest = errors.size() - most_errors;
+    errors.resize(most_errors);
+    errors.push_back(
+        {Diagnostic::Severity::error, name,
+         fmt::format("and {} more error{}; mend these first", rest, rest == 1 ? "" : "s")});
+  }
+  throw Error(Error::Kind::scene, std::move(errors));
+}
+
+/// The scene as it is run, for the folder of the run.
+std::string merged_source(const toml::table& table, const std::vector<Override>& overrides) {
+  std::ostringstream merged;
+  merged << "# as run; set on the command line:\n";
+  for (const auto& [key, value] : overrides) merged << "#   " << key << "\n";
+  merged << table << "\n";
+  return merged.str();
+}
+
+/// Files are named relative to the scene.
+void find_files(Scene& scene, const std::string& name) {
+  const std::filesystem::path folder = std::filesystem::path(name).parent_path();
+  const auto find = [&](Scene::Region& r) {
+    if (!r.file.empty()) r.file = (folder / r.file).lexically_normal().string();
+  };
+  for (Scene::Fluid& f : scene.fluid) find(f);
+  for (Scene::Wall& w : scene.wall) find(w);
+  for (Scene::Body& b : scene.body) {
+    find(b);
+    if (!b.path.empty()) b.path = (folder / b.path).lexically_normal().string();
+  }
+}
+
+}  // namespace
+
+Scene parse_scene(const std::string& text, const std::string& name,
+                  const std::vector<Override>& overrides) {
+  toml::table table = parse_toml(text, name);
+  const auto overridden = apply_overrides(table, overrides);
+
+  Scene scene;
+  SceneReader reader(table, name, overridden);
+  visit_keys(reader, scene);
+  reader.finish();
+  find_files(scene, name);
+  scene = with_defaults(std::move(scene));
+  scene.places = reader.places();
+  std::vector<Diagnostic> errors = reader.diagnostics();
+  const auto more = contradictions(scene, reader.unread());
+  errors.insert(errors.end(), more.begin(), more.end());
+  throw_errors(std::move(errors), reader, name);
+  scene.source = overrides.empty() ? text : merged_source(table, overrides);
+  return scene;
+}
+
+Scene load_scene(const std::filesystem::path& file, const std::vector<Override>& overrides) {
+  return parse_scene(read_file(file), file.string(), overrides);
+}
+
+}  // namespace freshet

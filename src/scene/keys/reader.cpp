@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: MIT
+#include "scene/keys/reader.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/keys/suggest.h"
+
+namespace freshet {
+namespace {
+
+constexpr double largest = 1e15, smallest = 1e-30;  // in SI units; 32-bit numbers still hold them
+constexpr double largest_whole = 9e15;              // a double still holds it exactly
+
+/// A name or a string on one line, without control characters and not too long.
+std::string printable(std::string_view words) {
+  constexpr std::size_t longest = 40;
+  std::size_t end = std::min(words.size(), longest);
+  while (end < words.size() && end > 0 && (words[end] & 0xC0) == 0x80) --end;  // no cut in UTF-8
+  std::string text(words.substr(0, end));
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, '?');
+  return text + (end < words.size() ? "..." : "");
+}
+
+std::string found(const toml::node& node) {
+  if (const auto* s = node.as_string())
+    return fmt::format("the string \"{}\"", printable(s->get()));
+  if (const auto* i = node.as_integer()) return fmt::format("{}", i->get());
+  if (const auto* f = node.as_floating_point()) return fmt::format("{}", f->get());
+  if (const auto* b = node.as_boolean()) return b->get() ? "true" : "false";
+  if (const auto* a = node.as_array())
+    return a->empty() ? "an empty array"
+                      : fmt::format("an array of {} value{}", a->size(), a->size() == 1 ? "" : "s");
+  return node.is_table() ? "a table" : "a date or time";
+}
+
+/// NaN where the node is no number.
+double number_of(const toml::node& node) {
+  if (const auto* i = node.as_integer()) return double(i->get());
+  const auto* f = node.as_floating_point();
+  return f ? f->get() : NAN;
+}
+
+struct Range {
+  double low, high;
+  Range(const KeyDoc& doc, bool whole) {
+    const double most = whole ? largest_whole : largest;
+    low = doc.above ? doc.min + smallest : std::max(doc.min, -most);
+    high = std::min(doc.max, most);
+  }
+};
+
+/// What a key may be; bounds that go without saying are told only to a value beyond them.
+std::string limits(const toml::node& node, const KeyDoc& doc, bool whole) {
+  const Range range(doc, whole);
+  const double value = number_of(node);
+  std::string text = whole ? "a whole number" : "a number";
+  const bool tiny = doc.above && value > doc.min && value < range.low;
+  const bool low = std::isfinite(doc.min) || value < range.low;
+  if (doc.above && !tiny) text += fmt::format(" > {:.10g}", doc.min);
+  else if (low) text += fmt::format(" >= {:.10g}", range.low);
+  if (std::isfinite(doc.max) || value > range.high)
+    text += fmt::format("{} <= {:.10g}", low ? " and" : "", range.high);
+  return text + (doc.unit.empty() ? "" : fmt::format(" ({})", doc.unit));
+}
+
+/// How many numbers domain.max has; 0 where it is no vector.
+std::size_t dimension_of(const toml::table& root) {
+  const toml::array* max = root["domain"]["max"].as_array();
+  return max && (max->size() == 2 || max->size() == 3) ? max->size() : 0;
+}
+
+/// What a vector must be.
+std::string vector_words(std::size_t dimension, const char* numbers) {
+  if (dimension == 0) return fmt::format("2 or 3 {}, [x, y] or [x, y, z]", numbers);
+  return fmt::format("{} {}, {}, as domain.max has", dimension, numbers,
+                     dimension == 2 ? "[x, y]" : "[x, y, z]");
+}
+
+/// "a", "b" or "c"
+std::string one_of(Words words) {
+  std::string list;
+  for (std::size_t k = 0; k < words.size(); ++k)
+    list += fmt::format("{}\"{}\"", k == 0 ? "" : k + 1 == words.size() ? " or " : ", ", words[k]);
+  return list;
+}
+
+}  // namespace
+
+SceneReader::SceneReader(const toml::table& root, std::string file,
+                         std::map<std::string, std::string> overridden)
+    : file_(std::move(file)),
+      dimension_(dimension_of(root)),
+      overridden_(std::move(overridden)),
+      scope_{&root, "", "", {}} {
+  places_[""] = file_;
+}
+
+toml::source_position SceneReader::position(const std::string& place) const {
+  const auto it = positions_.find(place);
+  return it == positions_.end() ? toml::source_position{} : it->second;
+}
+
+std::string SceneReader::place_of(const toml::source_region& where, const std::string& path) {
+  for (std::string p = path; !p.empty(); p.erase(std::min(p.find_last_of(".["), p.size()))) {
+    if (const auto it = overridden_.find(p); it != overridden_.end()) return it->second;
+    if (p.find_last_of(".[") == std::string::npos) break;
+  }
+  if (!where.begin) return file_;
+  const std::string place = fmt::format("{}:{}:{}", file_, where.begin.line, where.begin.column);
+  positions_[place] = where.begin;
+  return place;
+}
+
+void SceneReader::complain(const toml::source_region& where, const std::string& path,
+                           std::string message) {
+  diagnostics_.push_back({Diagnostic::Severity::error, place_of(where, path), std::move(message)});
+}
+
+void SceneReader::reject(const toml::source_region& where, const std::string& path,
+                         std::string message) {
+  unread_.insert(path.substr(0, path.find_first_of(".[")));
+  complain(where, path, std::move(message));
+}
+
+const toml::node* SceneReader::take(std::string_view name, const KeyDoc& doc) {
+  scope_.known.insert(std::string(name));
+  const toml::node* node = scope_.table->get(name);
+  const std::string path = fmt::format("{}{}", scope_.path, name);
+  if (node) {
+    places_[path] = place_of(node->source(), path);
+  } else if (doc.required) {
+    const auto& table = scope_.table->source();
+    const std::string unit = doc.unit.empty() ? "" : fmt::format(" ({})", doc.unit);
+    reject(table, path,
+           fmt::format("{} is missing: {}{}; add it{}", scope_.name + std::string(name),
+                       doc.text.substr(0, doc.text.find(';')), unit,
+                       table.begin ? "" : " under [" + path.substr(0, path.find('.')) + "]"));
+  }
+  return node;
+}
+
+void SceneReader::report_unknown() {
+  for (const auto& [key, node] : *scope_.table) {
+    if (scope_.known.contains(key.str())) continue;
+    const std::string guess = nearest(key.str(), scope_.known);
+    const std::string remedy = guess.empty()
+                                   ? fmt::format("known here: {}", fmt::join(scope_.known, ", "))
+                                   : fmt::format("did you mean {}{}?", scope_.name, guess);
+    complain(key.source(), scope_.path + std::string(key.str()),
+             fmt::format("unknown {} {}{}; {}", node.is_table() ? "table" : "key", scope_.name,
+                         printable(key.str()), remedy));
+  }
+}
+
+void SceneReader::read_table(const toml::table& table, std::string path, std::string name,
+                             const std::function<void()>& keys) {
+  const Scope outer = std::exchange(scope_, {&table, std::move(path), std::move(name), {}});
+  keys();
+  report_unknown();
+  scope_ = outer;
+}
+
+void SceneReader::section(std::string_view name, std::string_view,
+                          const std::function<void()>& keys) {
+  static const toml::table empty;
+  const toml::node* node = take(name, {});
+  if (node && !node->is_table()) {
+    reject(node->source(), std::string(name),
+           fmt::format("{} is {}; it must be a table: [{}]", name, found(*node), name));
+    return;
+  }
+  const std::string prefix = fmt::format("{}.", name);
+  read_table(node ? *node->as_table() : empty, prefix, prefix, keys);
+}
+
+void SceneReader::sections(std::string_view name, std::string_view,
+                           const std::function<void(std::size_t)>& resize,
+                           const std::function<void(std::size_t)>& keys) {
+  const toml::node* node = take(name, {});
+  std::vector<const toml::table*> tables;
+  if (!node) return;
+  if (const auto* one = node->as_table()) tables.push_back(one);
+  else if (const auto* many = node->as_array(); many && many->is_homogeneous<toml::table>())
+    for (const toml::node& t : *many) tables.push_back(t.as_table());
+  else
+    reject(node->source(), scope_.path + std::string(name),
+           fmt::format("{0}{1} is {2}; it must be a table, [{0}{1}], or several, [[{0}{1}]]",
+                       scope_.name, name, found(*node)));
+  resize(tables.size());
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    const std::string path = fmt::format("{}{}[{}]", scope_.path, name, k);
+    places_[path] = place_of(tables[k]->source(), path);
+    read_table(*tables[k], path + ".", fmt::format("{}{}.", scope_.name, name), [&] { keys(k); });
+  }
+}
+
+void SceneReader::text(std::string_view name, std::string& value, const KeyDoc& doc) {
+  const toml::node* node = take(name, doc);
+  if (!node) return;
+  if (const auto* s = node->as_string()) value = s->get();
+  else
+    reject(node->source(), fmt::format("{}{}", scope_.path, name),
+           fmt::format("{}{} is {}; it must be a string", scope_.name, name, found(*node)));
+}
+
+void SceneReader::texts(std::string_view name, std::vector<std::string>& value, const KeyDoc& doc) {
+  const toml::node* node = take(name, doc);
+  if (!node) return;
+  const toml::array* list = node->as_array();
+  const bool all = list && std::all_of(list->begin(), list->end(),
+                                       [](const toml::node& e) { return e.is_string(); });
+  if (!all)
+    return reject(node->source(), fmt::format("{}{}", scope_.path, name),
+                  fmt::format("{}{} is {}; it must be a list of strings, one an axis: "
+                              "[\"0\", \"-9.81\"]",
+                              scope_.name, name, list ? "a list of other things" : found(*node)));
+  for (const toml::node& e : *list) value.push_back(e.as_string()->get());
+}
+
+std::optional<double> SceneReader::in_range(const std::string& name, const toml::node& node,
+                                            const KeyDoc& doc, bool whole) {
+  const double value = number_of(node);
+  const Range range(doc, whole);
+  if (value >= range.low && value <= range.high && !(doc.above && value == doc.min) &&
+      !(whole && value != std::floor(value)))
+    return value;
+  reject(node.source(), scope_.path + name,
+         fmt::format("{}{} is {}; it must be {}", scope_.name, name, found(node),
+                     limits(node, doc, whole)));
+  return {};
+}
+
+std::optional<double> SceneReader::read_number(std::string_view name, const KeyDoc& doc,
+                                               bool whole) {
+  const toml::node* node = take(name, doc);
+  return node ? in_range(std::string(name), *node, doc, whole) : std::nullopt;
+}
+
+void SceneReader::number(std::string_view name, double& value, const KeyDoc& doc) {
+  value = read_number(name, doc, false).value_or(value);
+}
+void SceneReader::number(std::string_view name, std::optional<double>& value, const KeyDoc& doc) {
+  if (const auto v = read_number(name, doc, false)) value = *v;
+}
+void SceneReader::integer(std::string_view name, std::int64_t& value, const KeyDoc& doc) {
+  if (const auto v = read_number(name, doc, true)) value = std::int64_t(*v);
+}
+void SceneReader::integer(std::string_view name, std::optional<std::int64_t>& value,
+                          const KeyDoc& doc) {
+  if (const auto v = read_number(name, doc, true)) value = std::int64_t(*v);
+}
+
+Vector SceneReader::read_array(std::string_view name, const KeyDoc& doc, bool whole,
+                               std::size_t count) {
+  const toml::node* node = take(name, doc);
+  if (!node) return {};
+  const auto* a = node->as_array();
+  const std::size_t n = a ? a->size() : 0;
+  const bool good = count ? n == count : dimension_ ? n == dimension_ : n == 2 || n == 3;
+  if (!good) {
+    const std::string words = count ? fmt::format("{} numbers in brackets", count)
+                                    : vector_words(dimension_, whole ? "whole numbers" : "numbers");
+    reject(node->source(), fmt::format("{}{}", scope_.path, name),
+           fmt::format("{}{} is {}; it must be {}", scope_.name, name, found(*node), words));
+    return {};
+  }
+  Vector read;
+  for (std::size_t k = 0; k < a->size(); ++k)
+    if (const auto v = in_range(fmt::format("{}[{}]", name, k), *a->get(k), doc, whole))
+      read.push_back(*v);
+  return read.size() == a->size() ? read : Vector();
+}
+
+void SceneReader::vector(std::string_view name, Vector& value, const KeyDoc& doc) {
+  if (Vector read = read_array(name, doc, false); !read.empty()) value = std::move(read);
+}
+
+void SceneReader::numbers(std::string_view name, Vector& value, std::size_t count,
+                          const KeyDoc& doc) {
+  if (Vector read = read_array(name, doc, false, count); !read.empty()) value = std::move(read);
+}
+
+void SceneReader::boolean(std::string_view name, bool& value, const KeyDoc& doc) {
+  const toml::node* node = take(name, doc);
+  if (!node) return;
+  if (const auto* b = node->as_boolean()) value = b->get();
+  else
+    reject(node->source(), fmt::format("{}{}", scope_.path, name),
+           fmt::format("{}{} is {}; it must be true or false", scope_.name, name, found(*node)));
+}
+
+void SceneReader::counts(std::string_view name, Counts& value, const KeyDoc& doc) {
+  if (const Vector read = read_array(name, doc, true); !read.empty())
+    value.assign(read.begin(), read.end());
+}
+
+void SceneReader::number_or_word(std::string_view name, double& value, bool& is_word,
+                                 const char* word, const KeyDoc& doc) {
+  const toml::node* node = take(name, doc);
+  if (!node) return;
+  const auto* s = node->as_string();
+  is_word = s && s->get() == word;
+  if (is_word) return;
+  if (!s) {
+    value = in_range(std::string(name), *node, doc, false).value_or(value);
+    return;
+  }
+  reject(node->source(), fmt::format("{}{}", scope_.path, name),
+         fmt::format("{}{} is {}; it must be {} or \"{}\"", scope_.name, name, found(*node),
+                     limits(*node, doc, false), word));
+}
+
+int SceneReader::read_word(const std::string& name, const toml::node& node, Words words) {
+  const auto* s = node.as_string();
+  const auto it = std::find(words.begin(), words.end(), s ? s->get() : std::string());
+  if (it != words.end()) return int(it - words.begin());
+  const std::string guess =
+      s && words.size() > 1
+          ? nearest(s->get(), std::set<std::string, std::less<>>(words.begin(), words.end()))
+          : "";
+  reject(node.source(), scope_.path + name,
+         fmt::format("{}{} is {}; it must be {}{}", scope_.name, name, found(node), one_of(words),
+                     guess.empty() ? "" : fmt::format("; did you mean \"{}\"?", guess)));
+  return -1;
+}
+
+void SceneReader::word(std::string_view name, int& value, Words words, const KeyDoc& doc) {
+  const toml::node* node = take(name, doc);
+  const int place = node ? read_word(std::string(name), *node, words) : -1;
+  if (place >= 0) value = place;
+}
+
+void SceneReader::word_list(std::string_view name, std::vector<int>& value, Words words,
+                            const KeyDoc& doc) {
+  const toml::node* node = take(name, doc);
+  if (!node) return;
+  const toml::array* list = node->as_array();
+  if (!list)
+    return reject(node->source(), fmt::format("{}{}", scope_.path, name),
+                  fmt::format("{}{} is {}; it must be a list of {}", scope_.name, name,
+                              found(*node), one_of(words)));
+  value.clear();
+  for (std::size_t k = 0; k < list->size(); ++k) {
+    const std::string path = fmt::format("{}[{}]", name, k);
+    const int place = read_word(path, *list->get(k), words);
+    if (place < 0) return;  // one wrong word tells what the others may be
+    if (std::find(value.begin(), value.end(), place) != value.end())
+      return reject(list->get(k)->source(), scope_.path + path,
+                    fmt::format("{}{} has \"{}\" twice; name it once", scope_.name, name,
+                                words[std::size_t(place)]));
+    value.push_back(place);
+  }
+}
+
+}  // namespace freshet

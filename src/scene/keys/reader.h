@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+/// Reads a TOML table into a Scene by walking the table of keys.
+#pragma once
+#include <toml++/toml.h>
+
+#include <set>
+
+#include "scene/keys/keys.h"
+
+namespace freshet {
+
+class SceneReader final : public KeyVisitor {
+ public:
+  /// `overridden` maps the paths that --set gave ("fluid[0].count") to "--set KEY".
+  SceneReader(const toml::table& root, std::string file,
+              std::map<std::string, std::string> overridden);
+
+  const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+  /// Where every key and every table that was given stands; the file itself is "".
+  const std::map<std::string, std::string>& places() const { return places_; }
+  /// The sections with a key that is missing or could not be read.
+  const std::set<std::string, std::less<>>& unread() const { return unread_; }
+  /// Of a place in messages, to sort them by; the start of the file where it is not in it.
+  toml::source_position position(const std::string& place) const;
+  /// Tells of keys at the top that no one asked for; call it last.
+  void finish() { report_unknown(); }
+
+  void section(std::string_view name, std::string_view text,
+               const std::function<void()>& keys) override;
+  void sections(std::string_view name, std::string_view text,
+                const std::function<void(std::size_t)>& resize,
+                const std::function<void(std::size_t)>& keys) override;
+  void text(std::string_view name, std::string& value, const KeyDoc& doc) override;
+  void texts(std::string_view name, std::vector<std::string>& value, const KeyDoc& doc) override;
+  void number(std::string_view name, double& value, const KeyDoc& doc) override;
+  void number(std::string_view name, std::optional<double>& value, const KeyDoc& doc) override;
+  void integer(std::string_view name, std::int64_t& value, const KeyDoc& doc) override;
+  void integer(std::string_view name, std::optional<std::int64_t>& value,
+               const KeyDoc& doc) override;
+  void vector(std::string_view name, Vector& value, const KeyDoc& doc) override;
+  void numbers(std::string_view name, Vector& value, std::size_t count, const KeyDoc& doc) override;
+  void boolean(std::string_view name, bool& value, const KeyDoc& doc) override;
+  void counts(std::string_view name, Counts& value, const KeyDoc& doc) override;
+  void number_or_word(std::string_view name, double& value, bool& is_word, const char* word,
+                      const KeyDoc& doc) override;
+  void word(std::string_view name, int& value, Words words, const KeyDoc& doc) override;
+  void word_list(std::string_view name, std::vector<int>& value, Words words,
+                 const KeyDoc& doc) override;
+
+ private:
+  struct Scope {  // the table that keys are read from now
+    const toml::table* table;
+    std::string path;  // "" or "fluid[0]."
+    std::string name;  // "" or "fluid."
+    std::set<std::string, std::less<>> known;
+  };
+
+  const toml::node* take(std::string_view name, const KeyDoc& doc);
+  void read_table(const toml::table& table, std::string path, std::string name,
+                  const std::function<void()>& keys);
+  std::optional<double> read_number(std::string_view name, const KeyDoc& doc, bool whole);
+  /// The number if it is one that the key may have.
+  std::optional<double> in_range(const std::string& name, const toml::node& node, const KeyDoc& doc,
+                                 bool whole);
+  /// As many numbers as the domain has, or as `count` says.
+  Vector read_array(std::string_view name, const KeyDoc& doc, bool whole, std::size_t count = 0);
+  /// The place of the word that the node is among `words`; -1, and an error, where it is none.
+  int read_word(const std::string& name, const toml::node& node, Words words);
+  void report_unknown();
+  void complain(const toml::source_region& where, const std::string& path, std::string message);
+  /// The same of a key without whose value the checks of its section make no sense.
+  void reject(const toml::source_region& where, const std::string& path, std::string message);
+  std::string place_of(const toml::source_region& where, const std::string& path);
+
+  std::string file_;
+  std::size_t dimension_;  // as many numbers as domain.max has; 0 where that is neither 2 nor 3
+  std::map<std::string, std::string> overridden_, places_;
+  std::map<std::string, toml::source_position> positions_;
+  std::set<std::string, std::less<>> unread_;
+  Scope scope_;
+  std::vector<Diagnostic> diagnostics_;
+};
+
+}  // namespace freshet

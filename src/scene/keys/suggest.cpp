@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "scene/keys/suggest.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace freshet {
+namespace {
+
+/// Edits between two words, a swap of neighbours counting as one (optimal string alignment).
+std::size_t distance(std::string_view a, std::string_view b) {
+  const std::size_t row = b.size() + 1;
+  std::vector<std::size_t> all((a.size() + 1) * row);
+  std::size_t* const d = all.data();
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      std::size_t* const at = d + i * row + j;
+      if (i == 0 || j == 0) {
+        *at = i + j;
+        continue;
+      }
+      const std::size_t change = a[i - 1] != b[j - 1];
+      *at = std::min(std::min(at[-1], *(at - row)) + 1, *(at - row - 1) + change);
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        *at = std::min(*at, *(at - 2 * row - 2) + 1);
+    }
+  return all.back();
+}
+
+}  // namespace
+
+std::string nearest(std::string_view typed, const std::set<std::string, std::less<>>& words) {
+  std::string best;
+  if (typed.size() > 100) return best;
+  std::size_t least = std::max<std::size_t>(1, typed.size() / 3) + 1;
+  for (const std::string& word : words) {
+    const std::size_t shorter = std::min(typed.size(), word.size());
+    if (std::max(typed.size(), word.size()) - shorter >= least) continue;  // so far apart at least
+    if (const std::size_t d = distance(typed, word); d < least) least = d, best = word;
+  }
+  return best;
+}
+
+}  // namespace freshet

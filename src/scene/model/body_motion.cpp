@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "scene/model/body_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+#include "scene/model/expressions.h"
+
+namespace freshet {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double little = 1e-4;  // [s]: between the places that a rate is taken from
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r\"");
+  if (first == text.npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
+}
+
+std::vector<std::string_view> cells_of(std::string_view line) {
+  std::vector<std::string_view> cells;
+  for (std::size_t at = 0; at <= line.size();) {
+    const std::size_t comma = std::min(line.find(',', at), line.size());
+    cells.push_back(trimmed(line.substr(at, comma - at)));
+    at = comma + 1;
+  }
+  return cells;
+}
+
+/// The column's place among time, x, y, z and angle, whatever unit stands behind the name.
+std::optional<std::size_t> column_of(std::string_view name) {
+  static constexpr std::string_view names[] = {"time", "x", "y", "z", "angle"};
+  name = trimmed(name.substr(0, name.find('[')));
+  const auto* it = std::find(std::begin(names), std::end(names), name);
+  if (it == std::end(names)) return {};
+  return std::size_t(it - names);
+}
+
+class PathReader {
+ public:
+  PathReader(const std::filesystem::path& file, int dimension)
+      : file_(file.string()), dimension_(std::size_t(dimension)) {}
+
+  std::vector<Scene::Body::Key> read() {
+    std::ifstream in(file_, std::ios::binary);
+    if (!in) fail("cannot be read; check the path and its permissions");
+    std::string line;
+    while (std::getline(in, line)) {
+      ++line_;
+      if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
+      if (columns_.empty()) read_header(line);
+      else read_row(line);
+      if (keys_.size() > 1000000) fail("holds more than a million key frames; thin it out");
+    }
+    if (keys_.size() < 2) fail("holds fewer than two key frames; give one a line");
+    return std::move(keys_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& why) const {
+    const bool whole = line_ == 0 || keys_.size() < 2;
+    throw Error(Error::Kind::scene,
+                whole && line_ == 0 ? file_ : fmt::format("{}:{}", file_, line_), why);
+  }
+  void read_header(const std::string& line) {
+    for (const std::string_view cell : cells_of(line)) {
+      const auto column = column_of(cell);
+      if (!column || (*column == 3 && dimension_ == 2))
+        fail(
+            fmt::format("the column \"{}\" is none of time, x, y{} and angle, which the first line "
+                        "names; remove it or rename it",
+                        cell, dimension_ == 3 ? ", z" : ""));
+      columns_.push_back(*column);
+    }
+    if (std::find(columns_.begin(), columns_.end(), 0u) == columns_.end())
+      fail("the first line names no column time; name the columns there, time among them");
+  }
+  void read_row(const std::string& line) {
+    const auto cells = cells_of(line);
+    if (cells.size() != columns_.size())
+      fail(fmt::format("this line has {} numbers, and the first names {} columns; give as many",
+                       cells.size(), columns_.size()));
+    double value[5] = {};
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      double& v = value[columns_[k]];
+      const auto [end, error] =
+          std::from_chars(cells[k].data(), cells[k].data() + cells[k].size(), v);
+      if (error != std::errc() || end != cells[k].data() + cells[k].size() || !std::isfinite(v))
+        fail(fmt::format("\"{}\" is no number; write numbers like 0.5 or 1e-3", cells[k]));
+    }
+    if (!keys_.empty() && !(value[0] > keys_.back().time))
+      fail(fmt::format("the time {:g} s is not after the line before, {:g} s; sort the lines",
+                       value[0], keys_.back().time));
+    keys_.push_back({value[0], Vector(value + 1, value + 1 + dimension_), value[4]});
+  }
+
+  std::string file_;
+  std::size_t dimension_;
+  std::int64_t line_ = 0;
+  std::vector<std::size_t> columns_;
+  std::vector<Scene::Body::Key> keys_;
+};
+
+}  // namespace
+
+std::vector<Scene::Body::Key> read_body_path(const std::filesystem::path& file, int dimension) {
+  return PathReader(file, dimension).read();
+}
+
+struct PrescribedMotion::Functions {
+  Expressions position, angle;
+};
+
+PrescribedMotion::PrescribedMotion(const Scene::Body& b, int dimension)
+    : linear_(b.interpolation == Interpolation::linear) {
+  if (!b.position.empty() || !b.angle.empty()) {
+    functions_ = std::make_unique<Functions>(Functions{
+        Expressions(b.position),
+        Expressions(b.angle.empty() ? std::vector<std::string>() : std::vector{b.angle})});
+    return;
+  }
+  for (const auto& key : b.path.empty() ? b.key : read_body_path(b.path, dimension)) {
+    times_.push_back(key.time);
+    std::array<double, 4> v{};
+    std::copy(key.translation.begin(), key.translation.end(), v.begin());
+    v[3] = key.angle * degree;
+    values_.push_back(v);
+  }
+  slopes_.resize(values_.size());
+  for (std::size_t k = 1; k + 1 < values_.size(); ++k)
+    for (std::size_t d = 0; d < 4; ++d) {
+      const double before = times_[k] - times_[k - 1], after = times_[k + 1] - times_[k];
+      const double left = (values_[k][d] - values_[k - 1][d]) / before,
+                   right = (values_[k + 1][d] - values_[k][d]) / after;
+      slopes_[k][d] = (after * left + before * right) / (before + after);
+    }
+}
+PrescribedMotion::PrescribedMotion(PrescribedMotion&&) noexcept = default;
+PrescribedMotion::~PrescribedMotion() = default;
+
+std::array<double, 4> PrescribedMotion::functions_at(double time) const {
+  std::array<double, 4> v{};
+  const double nowhere[3] = {};
+  if (!functions_->position.empty()) functions_->position(nowhere, time, v.data());
+  if (!functions_->angle.empty()) functions_->angle(nowhere, time, &v[3]);
+  v[3] *= degree;
+  return v;
+}
+
+Displacement PrescribedMotion::at(double time) const {
+  if (!functions_) return between_keys(time);
+  Displacement d;
+  d.value = functions_at(time);
+  const bool start = time < 2 * little;  // a function may have no value before it
+  const double weights[2][5] = {{1, -8, 0, 8, -1}, {-25, 48, -36, 16, -3}};
+  for (int k = 0; k < 5; ++k) {
+    const auto v = functions_at(time + (start ? k : k - 2) * little);
+    for (std::size_t j = 0; j < 4; ++j) d.rate[j] += weights[start][k] * v[j] / (12 * little);
+  }
+  return d;
+}
+
+Displacement PrescribedMotion::between_keys(double time) const {
+  Displacement d;
+  if (times_.empty()) return d;
+  const auto next = std::upper_bound(times_.begin(), times_.end(), time);
+  if (next == times_.begin()) d.value = values_.front();
+  if (next == times_.end()) d.value = values_.back();
+  if (next == times_.begin() || next == times_.end()) return d;
+  const auto k = std::size_t(next - times_.begin()) - 1;
+  const double span = times_[k + 1] - times_[k], s = (time - times_[k]) / span;
+  for (std::size_t j = 0; j < 4; ++j) {
+    const double a = values_[k][j], b = values_[k + 1][j], rise = (b - a) / span;
+    if (linear_) {
+      d.value[j] = a + s * (b - a);
+      d.rate[j] = rise;
+      continue;
+    }
+    const double m = slopes_[k][j], n = slopes_[k + 1][j];  // Hermite's cubic
+    d.value[j] = a + s * span * (m + s * (3 * rise - 2 * m - n + s * (m + n - 2 * rise)));
+    d.rate[j] = m + s * (2 * (3 * rise - 2 * m - n) + 3 * s * (m + n - 2 * rise));
+  }
+  return d;
+}
+
+}  // namespace freshet

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "scene/model/body_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scene/model/loaded_mesh.h"
+#include "scene/model/solid_of.h"
+
+namespace freshet {
+namespace {
+
+using Point = Vec<3, double>;
+
+Point point_of(const Vector& v) { return {v[0], v[1], v.size() == 3 ? v[2] : 0.0}; }
+
+/// inertia += (trace of s) - s, where s are the second moments about the centre.
+void set_inertia(BodyShape& b, const double (&s)[3][3]) {
+  const double trace = s[0][0] + s[1][1] + s[2][2];
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) b.inertia[i][j] = (i == j ? trace : 0) - s[i][j];
+}
+
+BodyShape box(const Scene::Body& r) {
+  BodyShape b;
+  double moments[3][3] = {};
+  b.volume = 1;
+  for (std::size_t k = 0; k < r.min.size(); ++k) b.volume *= r.max[k] - r.min[k];
+  for (std::size_t k = 0; k < r.min.size(); ++k)
+    moments[k][k] = b.volume * square(r.max[k] - r.min[k]) / 12;
+  b.center = 0.5 * (point_of(r.min) + point_of(r.max));
+  b.reach = norm(0.5 * (point_of(r.max) - point_of(r.min)));
+  set_inertia(b, moments);
+  return b;
+}
+
+BodyShape ball(const Scene::Body& r) {
+  BodyShape b;
+  const bool flat = r.center.size() == 2;
+  const double a = r.radius, pi = std::numbers::pi;
+  b.volume = flat ? pi * a * a : 4 * pi / 3 * a * a * a;
+  b.center = point_of(r.center);
+  b.reach = a;
+  double moments[3][3] = {};
+  for (std::size_t k = 0; k < r.center.size(); ++k)
+    moments[k][k] = b.volume * a * a / (flat ? 4 : 5);
+  set_inertia(b, moments);
+  return b;
+}
+
+BodyShape cylinder(const Scene::Body& r) {
+  BodyShape b;
+  const double a = r.radius;
+  b.volume = std::numbers::pi * a * a * r.length;
+  b.center = point_of(r.center);
+  b.reach = std::hypot(a, r.length / 2);
+  auto axis = unit_of<3>(r.axis);
+  double moments[3][3];
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      moments[i][j] =
+          b.volume * ((i == j ? a * a / 4 : 0) + component(axis, i) * component(axis, j) *
+                                                     (r.length * r.length / 12 - a * a / 4));
+  set_inertia(b, moments);
+  return b;
+}
+
+/// By the tetrahedra that its triangles make with a point.
+BodyShape mesh(const TriangleMesh& m) {
+  BodyShape b;
+  const Point from = m.points[0];
+  Point first{};
+  double second[3][3] = {};
+  for (int t = 0; t < int(m.triangles.size()); ++t) {
+    auto corners = m.corners(t);
+    for (Point& p : corners) p = p - from;
+    const double volume = dot(corners[0], cross(corners[1], corners[2])) / 6;
+    Point sum = corners[0] + corners[1] + corners[2];
+    b.volume += volume;
+    first += volume / 4 * sum;
+    for (int i = 0; i < 3; ++i)  // of a tetrahedron with a corner at the origin
+      for (int j = 0; j < 3; ++j) {
+        double products = component(sum, i) * component(sum, j);
+        for (Point& p : corners) products += component(p, i) * component(p, j);
+        second[i][j] += volume / 20 * products;
+      }
+  }
+  Point c = first / b.volume;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) second[i][j] -= b.volume * component(c, i) * component(c, j);
+  b.center = from + c;
+  for (const Point& p : m.points) b.reach = std::max(b.reach, norm(p - b.center));
+  set_inertia(b, second);
+  return b;
+}
+
+}  // namespace
+
+bool moves_free_bodies() {
+#ifdef FRESHET_BULLET
+  return true;
+#else
+  return false;
+#endif
+}
+
+BodyShape body_shape(const Scene::Body& r) {
+  if (r.shape == Shape::sphere) return ball(r);
+  if (r.shape == Shape::cylinder) return cylinder(r);
+  if (r.shape == Shape::mesh) return mesh(r.loaded->distance.mesh());
+  return box(r);
+}
+
+}  // namespace freshet

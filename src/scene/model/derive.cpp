@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kernels/cubic_spline.h"
+#include "kernels/lattice_sum.h"
+#include "kernels/poly6.h"
+#include "kernels/spiky.h"
+#include "kernels/wendland.h"
+#include "scene/check/check.h"
+#include "scene/model/data_bytes.h"
+#include "scene/model/openings.h"
+#include "scene/model/schedule.h"
+#include "scene/model/setup.h"
+
+namespace freshet {
+namespace {
+
+/// The share of a linear field's slope that the discrete gradient sees on the lattice, less 1:
+/// -sum_j dx^D x_j d/dx W(x_j), which is 1 in the continuum.
+template <int D, class Kernel>
+double gradient_error(const Kernel& W, double spacing, double support) {
+  double sum = 0;
+  on_lattice<D>(spacing, support,
+                [&](Vec<D> x) { sum -= double(x.x) * double(W.gradient(Pair<D, Real>(x)).x); });
+  for (int k = 0; k < D; ++k) sum *= spacing;
+  return sum - 1;
+}
+
+template <int D> int neighbors_within(double support, double spacing) {
+  const int m = int(support / spacing) + 1, mz = D == 3 ? m : 0;
+  int count = -1;  // not itself
+  for (int kz = -mz; kz <= mz; ++kz)
+    for (int ky = -m; ky <= m; ++ky)
+      for (int kx = -m; kx <= m; ++kx)
+        count += std::hypot(kx * spacing, ky * spacing, kz * spacing) < support;
+  return count;
+}
+
+/// f(kernel of the density, kernel of the gradient).
+template <int D, class F> void with_kernels(const Scene& s, Real support, F f) {
+  const auto same = [&](const auto& W) { f(W, W); };
+  if (s.solver.name == SolverName::mueller2003) return f(Poly6<D>(support), Spiky<D>(support));
+  switch (s.solver.kernel) {
+    case KernelName::cubic_spline:
+      return same(CubicSpline<D>(support));
+    case KernelName::wendland_c2:
+      return same(WendlandC2<D>(support));
+    case KernelName::wendland_c4:
+      return same(WendlandC4<D>(support));
+    case KernelName::wendland_c6:
+      return same(WendlandC6<D>(support));
+  }
+}
+
+template <int D> double layer_distance(const Scene& s) {
+  const double support = support_radius(s), spacing = s.particles.spacing;
+  double distance = 0;
+  with_kernels<D>(s, Real(support), [&](const auto& density, const auto&) {
+    distance = spacing * single_layer_distance<D>(density, spacing, support);
+  });
+  return distance;
+}
+
+template <int D> void derive_lattice(const Scene& s, Derived& d) {
+  with_kernels<D>(s, Real(d.support_radius), [&](const auto& density, const auto& gradient) {
+    d.lattice_sum = lattice_sum<D>(density, d.spacing, d.support_radius);
+    d.gradient_error = gradient_error<D>(gradient, d.spacing, d.support_radius);
+  });
+  d.density_error = d.lattice_sum - 1;
+  d.neighbors = neighbors_within<D>(d.support_radius, d.spacing);
+  d.mass = d.rest_density;
+  for (int k = 0; k < D; ++k) d.mass *= d.spacing;
+  if (!s.particles.mass) return;
+  d.mass = *s.particles.mass;
+  d.lattice_sum = 1;
+}
+
+double norm_of(const Vector& a) {
+  return a.size() == 3 ? std::hypot(a[0], a[1], a[2]) : std::hypot(a[0], a[1]);
+}
+
+/// The square of the fastest fall inside the domain, 2 |g| H, H its extent along gravity.
+double fastest_fall2(const Scene& s) {
+  const double gravity = norm_of(s.domain.gravity);
+  double height = 0;
+  for (std::size_t k = 0; k < s.domain.gravity.size() && gravity > 0; ++k)
+    height += std::abs(s.domain.gravity[k]) / gravity * (s.domain.max[k] - s.domain.min[k]);
+  return 2 * gravity * height;
+}
+
+void derive_liquids(const Scene& s, Derived& d) {
+  const auto liquids = s.liquids();
+  double lightest = std::numeric_limits<double>::infinity();
+  for (const Scene::Liquid& l : liquids) {
+    d.rest_density = std::max(d.rest_density, l.rest_density);
+    lightest = std::min(lightest, l.rest_density);
+  }
+  d.lightness = d.rest_density / lightest;
+  for (const Scene::Liquid& l : liquids)
+    d.viscosity = std::max(d.viscosity, l.viscosity * (d.rest_density / l.rest_density));
+}
+
+/// Of the viscosities that act explicitly.
+double viscous_step(const Scene& s, const Derived& d, double h) {
+  const ViscosityMethod method = s.viscosity_method();
+  double nu = method == ViscosityMethod::monaghan2005 || method == ViscosityMethod::morris1997
+                  ? d.viscosity / d.rest_density
+                  : 0;
+  // what Monaghan's term amounts to [Monaghan 2005, sec. 3.2]: nu = alpha h c/(2 (D + 2))
+  if (s.solver.name != SolverName::mueller2003 && !s.solver.incompressible())
+    nu = std::max(
+        nu, artificial_viscosity(s) * h * d.sound_speed * d.lightness / (2 * (s.dimension() + 2)));
+  return 0.125 * h * h / nu;
+}
+
+void derive_steps(const Scene& s, Derived& d) {
+  const double h = d.support_radius / 2;
+  d.acoustic_step = 0.4 * h / (d.sound_speed * std::sqrt(d.lightness));
+  d.force_step = 0.25 * std::sqrt(h / norm_of(s.domain.gravity));
+  d.viscous_step = viscous_step(s, d, h);
+  d.flow_step = std::numeric_limits<double>::infinity();
+  d.capillary_step = d.flow_step;
+  if (s.solver.surface_tension_method != SurfaceTensionMethod::none)
+    for (const Scene::Fluid& f : s.fluid)
+      d.capillary_step = std::min(
+          d.capillary_step,
+          0.25 * std::sqrt(f.rest_density * h * h * h / (2 * double(pi) * *f.surface_tension)));
+}
+
+/// The fastest at the start [m/s].
+double fastest_start(const Sample& start, int dimension) {
+  double fastest2 = 0;
+  const auto n = std::size_t(dimension);
+  for (std::size_t i = 0; i < start.v.size(); i += n) {
+    double speed2 = 0;
+    for (std::size_t k = 0; k < n; ++k) speed2 += square(double(start.v[i + k]));
+    fastest2 = std::max(fastest2, speed2);
+  }
+  return std::sqrt(fastest2);
+}
+
+/// Without sound the flow bounds the step, and gives what is fast its measure.
+void derive_flow(const Scene& s, double fastest, Derived& d) {
+  d.density_tolerance = density_tolerance(s);
+  d.sound_speed = 10 * std::max(fastest, std::sqrt(fastest_fall2(s)));
+  d.stiffness = square(d.sound_speed);
+  d.acoustic_step = std::numeric_limits<double>::infinity();
+  d.flow_step = 0.4 * d.support_radius / 2 / fastest;
+}
+
+}  // namespace
+
+double single_layer_distance(const Scene& s) {
+  return s.dimension() == 2 ? layer_distance<2>(s) : layer_distance<3>(s);
+}
+
+double support_radius(const Scene& s) {
+  return s.particles.support_radius.value_or(2 * s.particles.spacing);
+}
+
+double stiffness(const Scene& s) {
+  if (s.solver.name == SolverName::mueller2003)
+    return s.solver.stiffness.value_or(100 * fastest_fall2(s));
+  return s.solver.sound_speed ? square(*s.solver.sound_speed) : 100 * fastest_fall2(s);
+}
+
+double sound_speed(const Scene& s) { return std::sqrt(stiffness(s)); }
+
+Derived derive(const Scene& scene) {
+  check_scene(scene);
+  const Scene s = with_defaults(scene);
+  const Sample start = sample(s);
+  Derived d{};
+  d.particles = double(start.density.size());
+  const InflowEstimate inflow = estimate_inflow(s);
+  d.particles += inflow.at_start;
+  d.most_particles = d.particles + inflow.later;
+  for (const Scene::Inlet& in : s.inlet) {
+    const InletPlan plan = inlet_plan(s, in);
+    d.inlets.push_back(
+        {s.flow_names()[d.inlets.size()], double(plan.particles()), plan.speed, plan.rate});
+  }
+  if (!s.inlet.empty())
+    d.most_particles = std::max(d.particles, std::min(d.most_particles, room_in_domain(s)));
+  d.outside = start.outside;
+  d.left_out = start.left_out;
+  for (const WallSample* w : {&start.akinci2012, &start.adami2012, &start.monaghan2009})
+    d.wall_particles += std::int64_t(w->wall.size());
+  d.wall_particles += std::int64_t(start.bodies.body.size());
+  const Schedule schedule(s);
+  d.frames = schedule.frames();
+  d.data_frames = schedule.data_frames();
+  d.data_bytes = double(d.data_frames) * data_bytes(s, d.most_particles);
+  d.spacing = s.particles.spacing;
+  d.support_radius = support_radius(s);
+  derive_liquids(s, d);
+  if (s.dimension() == 2) derive_lattice<2>(s, d);
+  else derive_lattice<3>(s, d);
+  d.stiffness = stiffness(s);
+  d.sound_speed = sound_speed(s);
+  derive_steps(s, d);
+  double fastest = fastest_start(start, s.dimension());
+  for (const DerivedInlet& in : d.inlets) fastest = std::max(fastest, in.speed);
+  if (s.solver.incompressible()) derive_flow(s, fastest, d);
+  return d;
+}
+
+double Derived::step_bound() const {
+  return std::min({acoustic_step, force_step, viscous_step, flow_step, capillary_step});
+}
+
+const char* Derived::step_bound_name() const {
+  const double bound = step_bound();
+  return bound == force_step      ? "gravity"
+         : bound == viscous_step  ? "viscosity"
+         : bound == acoustic_step ? "speed of sound"
+         : bound == flow_step     ? "flow"
+                                  : "surface tension";
+}
+
+}  // namespace freshet

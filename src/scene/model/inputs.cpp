@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "scene/model/inputs.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "scene/keys/overrides.h"
+
+namespace freshet {
+
+Inputs inputs_of(const Scene& scene) {
+  Inputs inputs{scene.source, {}};
+  std::vector<Override> names;
+  const auto add = [&](const char* table, std::size_t k, const std::filesystem::path& file,
+                       const char* key = "file") {
+    if (file.empty()) return;
+    // no TOML value, so that it is taken as text
+    const std::string name = fmt::format("inputs/{}_{}_{}", table, k, file.filename().string());
+    std::ifstream in(file, std::ios::binary);
+    inputs.files.emplace_back(name, std::string(std::istreambuf_iterator<char>(in), {}));
+    names.emplace_back(fmt::format("{}[{}].{}", table, k, key), name);
+  };
+  for (std::size_t k = 0; k < scene.fluid.size(); ++k) add("fluid", k, scene.fluid[k].file);
+  for (std::size_t k = 0; k < scene.wall.size(); ++k) add("wall", k, scene.wall[k].file);
+  for (std::size_t k = 0; k < scene.body.size(); ++k) {
+    add("body", k, scene.body[k].file);
+    add("body", k, scene.body[k].path, "path");
+  }
+  if (names.empty() || scene.source.empty()) return inputs;
+  toml::table table = toml::parse(scene.source);
+  apply_overrides(table, names);
+  std::ostringstream text;
+  text << "# as run; the files that it reads are copies\n" << table << "\n";
+  inputs.source = text.str();
+  return inputs;
+}
+
+}  // namespace freshet

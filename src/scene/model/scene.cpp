@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+/// What a scene says of itself, and the defaults that depend on its dimension.
+#include "freshet/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/model/loaded_mesh.h"
+#include "scene/model/setup.h"
+
+namespace freshet {
+namespace {
+
+WallMethod default_method(const Scene& s) {
+  return s.solver.name == SolverName::mueller2003 ? WallMethod::reflection : WallMethod::akinci2012;
+}
+
+}  // namespace
+
+std::int64_t Scene::steps() const {
+  return time.adaptive ? std::int64_t(std::ceil(time.end / time.step_max.value_or(time.end)))
+                       : std::llround(time.end / time.step);
+}
+
+WallMethod Scene::side_method(int side) const {
+  const std::optional<WallMethod> given[] = {walls.x_min, walls.x_max, walls.y_min,
+                                             walls.y_max, walls.z_min, walls.z_max};
+  return given[side].value_or(walls.method.value_or(default_method(*this)));
+}
+
+WallMethod Scene::wall_method(std::size_t k) const {
+  return wall[k].method.value_or(default_method(*this));
+}
+
+Integrator Scene::integrator() const {
+  return time.integrator.value_or(solver.name == SolverName::wcsph ? Integrator::symplectic_euler
+                                                                   : Integrator::leapfrog);
+}
+
+std::vector<Scene::Liquid> Scene::liquids() const {
+  std::vector<Liquid> all;
+  const auto add = [&](const auto& f) {
+    const Liquid liquid{f.rest_density, f.viscosity, f.color};
+    if (std::find(all.begin(), all.end(), liquid) == all.end()) all.push_back(liquid);
+  };
+  for (const Fluid& f : fluid) add(f);
+  for (const Inlet& in : inlet) add(in);
+  return all;
+}
+
+int Scene::liquid_of(std::size_t k) const {
+  const Fluid& f = fluid[k];
+  const auto all = liquids();
+  const Liquid liquid{f.rest_density, f.viscosity, f.color};
+  return int(std::find(all.begin(), all.end(), liquid) - all.begin());
+}
+
+DensityDiffusion Scene::density_diffusion() const {
+  return solver.density_diffusion.value_or(liquids().size() > 1 ? DensityDiffusion::antuono2010
+                                                                : DensityDiffusion::fourtakas2019);
+}
+
+ViscosityMethod Scene::viscosity_method() const {
+  const bool weakly = solver.name == SolverName::wcsph || solver.name == SolverName::delta_sph;
+  return solver.viscosity_method.value_or(weakly ? ViscosityMethod::artificial
+                                                 : ViscosityMethod::monaghan2005);
+}
+
+double artificial_viscosity(const Scene& s) {
+  return s.solver.artificial_viscosity.value_or(
+      s.viscosity_method() == ViscosityMethod::artificial ? 0.05 : 0);
+}
+
+double density_tolerance(const Scene& s) {
+  return s.solver.density_tolerance.value_or(s.solver.name == SolverName::dfsph ? 1e-4 : 1e-3);
+}
+
+WallMethod body_method(const Scene& s) {
+  return s.walls.method == WallMethod::adami2012 ? WallMethod::adami2012 : WallMethod::akinci2012;
+}
+
+std::vector<std::string> Scene::wall_names() const {
+  static constexpr const char* sides[] = {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
+  std::vector<std::string> names(sides, sides + 2 * dimension());
+  for (std::size_t k = 0; k < wall.size(); ++k)
+    names.push_back(wall[k].name.empty() ? fmt::format("wall[{}]", k) : wall[k].name);
+  return names;
+}
+
+std::vector<std::string> Scene::flow_names() const {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name, const char* kind, std::size_t k) {
+    names.push_back(name.empty() ? fmt::format("{}[{}]", kind, k) : name);
+  };
+  for (std::size_t k = 0; k < inlet.size(); ++k) add(inlet[k].name, "inlet", k);
+  for (std::size_t k = 0; k < outlet.size(); ++k) add(outlet[k].name, "outlet", k);
+  for (std::size_t k = 0; k < counter.size(); ++k) add(counter[k].name, "counter", k);
+  return names;
+}
+
+namespace {
+
+/// Which way a rectangle stands that is not told.
+void turn_up(Scene::Opening& o) {
+  if (!o.up.empty() || o.direction.size() != 3) return;
+  const double across = std::hypot(o.direction[0], o.direction[2]);
+  const bool along_y = across <= 1e-6 * std::abs(o.direction[1]);
+  o.up = along_y ? Vector{0, 0, 1} : Vector{0, 1, 0};
+}
+
+}  // namespace
+
+std::string Scene::body_name(std::size_t k) const {
+  return body[k].name.empty() ? fmt::format("body[{}]", k) : body[k].name;
+}
+
+Scene with_defaults(Scene s) {
+  const std::size_t n = s.domain.max.size();
+  if (n != 2 && n != 3) return s;
+  const auto fill = [n](Vector& v, double y) {
+    if (!v.empty()) return;
+    v.assign(n, 0);
+    v[1] = y;
+  };
+  fill(s.domain.min, 0);
+  fill(s.domain.gravity, -9.81);
+  fill(s.air.velocity, 0);
+  for (Scene::Fluid& f : s.fluid) {
+    fill(f.velocity, 0);
+    fill(f.axis, 1);
+  }
+  for (Scene::Wall& w : s.wall) fill(w.axis, 1);
+  for (Scene::Outlet& out : s.outlet) fill(out.axis, 1);
+  for (Scene::Body& b : s.body) {
+    fill(b.axis, 1);
+    fill(b.velocity, 0);
+    if (n == 3 && b.turn_axis.empty()) b.turn_axis = {0, 0, 1};
+  }
+  for (Scene::Joint& j : s.joint)
+    if (n == 3 && j.axis.empty()) j.axis = {0, 0, 1};
+  if (n == 3) {
+    for (Scene::Inlet& in : s.inlet) turn_up(in);
+    for (Scene::Counter& c : s.counter) turn_up(c);
+    for (Scene::Fluid& f : s.fluid) remember_mesh(f);
+    for (Scene::Wall& w : s.wall) remember_mesh(w);
+    for (Scene::Body& b : s.body) remember_mesh(b);
+  }
+  return s;
+}
+
+}  // namespace freshet

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "scene/sample/mesh_surface.h"
+
+#include <cmath>
+
+#include "scene/sample/point_grid.h"
+
+namespace freshet {
+namespace {
+
+using Point = Vec<3, double>;
+
+constexpr double apart =
+    0.7;  // spacings: sparser layers let particles through where they are impinged on
+constexpr double apart_in_layers = 0.8;  // spacings: as many as a lattice would have
+constexpr int rounds = 40;               // of about one throw a disc
+constexpr double clear = 0.95;           // of the depth that a sample keeps from all of the surface
+
+/// SplitMix64 [Steele, Lea and Flood 2014]: the same throws everywhere.
+class Throws {
+ public:
+  /// In [0, 1).
+  double operator()() {
+    std::uint64_t z = (state_ += 0x9E3779B97F4A7C15u);
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    return double((z ^ (z >> 31)) >> 11) * 0x1p-53;
+  }
+  Point on(const std::array<Point, 3>& t) {
+    double u = (*this)(), v = (*this)();
+    if (u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
+    return t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]);
+  }
+
+ private:
+  std::uint64_t state_ = 0;
+};
+
+class Spreader {
+ public:
+  /// No two points nearer than `radius`, whatever their depths.
+  Spreader(const MeshDistance& mesh, double radius)
+      : mesh_(mesh), radius_(radius), taken_(radius_) {}
+
+  void spread(double depth) {
+    depth_ = std::abs(depth);
+    side_ = depth > 0 ? -1 : 1;
+    for (int round = 0; round < rounds; ++round)
+      for (std::size_t k = 0; k < mesh_.mesh().triangles.size(); ++k) throw_on(int(k));
+  }
+  std::vector<Point> points() { return std::move(all_); }
+
+ private:
+  void throw_on(int triangle) {
+    const auto t = mesh_.mesh().corners(triangle);
+    const Point area_normal = 0.5 * cross(t[1] - t[0], t[2] - t[0]);
+    const double area = norm(area_normal);
+    if (!(area > 0)) return;
+    const double wanted = area / (radius_ * radius_) + throws_();
+    for (double k = 1; k <= wanted; ++k) add(throws_.on(t), side_ / area * area_normal);
+  }
+  void add(Point on, Point inwards) {
+    Point x = on + depth_ * inwards;
+    if (depth_ > 0 && mesh_.nearest(x).distance < clear * depth_) {
+      const auto room = mesh_.first_hit(on, inwards, 1e-9 * depth_);
+      if (!room || *room >= 2 * depth_) return;  // before a corner
+      x = on + *room / 2 * inwards;
+      if (mesh_.nearest(x).distance < clear * *room / 2) return;
+    }
+    if (taken_.comes_near(x)) return;
+    taken_.add(x);
+    all_.push_back(x);
+  }
+
+  const MeshDistance& mesh_;
+  double radius_, depth_ = 0, side_ = 1;
+  Throws throws_;
+  PointGrid<3> taken_;
+  std::vector<Point> all_;
+};
+
+}  // namespace
+
+std::vector<Point> points_behind(const MeshDistance& mesh, double spacing, double depth) {
+  Spreader spreader(mesh, apart * spacing);
+  spreader.spread(depth);
+  return spreader.points();
+}
+
+std::vector<Point> layers_behind(const MeshDistance& mesh, double spacing, int layers) {
+  Spreader spreader(mesh, apart_in_layers * spacing);
+  for (int k = 0; k < layers; ++k) spreader.spread((k + 0.5) * spacing);
+  return spreader.points();
+}
+
+}  // namespace freshet

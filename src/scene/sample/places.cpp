@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "scene/sample/places.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/sample/point_cloud.h"
+
+namespace freshet {
+namespace {
+
+struct Box {
+  Vector min, max;
+};
+
+/// The part of the domain that is on the inner side of a plane, as a box around it.
+Box box_below(const Scene& s, const Scene::Region& plane) {
+  Box box{s.domain.min, s.domain.max};
+  const std::size_t n = box.min.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const double along = plane.normal[k];
+    if (along == 0) continue;
+    double reach = along * plane.point[k];  // of along · x_k, where the others help most
+    for (std::size_t j = 0; j < n; ++j)
+      if (j != k)
+        reach += plane.normal[j] * plane.point[j] -
+                 std::min(plane.normal[j] * s.domain.min[j], plane.normal[j] * s.domain.max[j]);
+    if (along > 0) box.max[k] = std::clamp(reach / along, box.min[k], box.max[k]);
+    else box.min[k] = std::clamp(reach / along, box.min[k], box.max[k]);
+  }
+  return box;
+}
+
+/// The box that the lattice of a fluid is aligned to.
+Box box_around(const Scene& s, const Scene::Fluid& f) {
+  if (f.side == Side::outside) {
+    if (f.shape != Shape::plane) return {s.domain.min, s.domain.max};
+    Scene::Region turned = f;
+    for (double& component : turned.normal) component = -component;
+    return box_below(s, turned);
+  }
+  if (f.shape == Shape::box) return {f.min, f.max};
+  if (f.shape == Shape::plane) return box_below(s, f);
+  if (f.shape == Shape::mesh) {
+    const auto low = f.loaded->distance.low(), high = f.loaded->distance.high();
+    return {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
+  }
+  Box box{f.center, f.center};
+  double axis2 = 0;
+  for (const double a : f.axis) axis2 += a * a;
+  for (std::size_t k = 0; k < f.center.size(); ++k) {
+    double reach = f.radius;
+    if (f.shape == Shape::cylinder) {
+      const double along = std::abs(f.axis[k]) / std::sqrt(axis2);
+      reach = along * f.length / 2 + f.radius * std::sqrt(std::max(0.0, 1 - along * along));
+    }
+    box.min[k] -= reach;
+    box.max[k] += reach;
+  }
+  return box;
+}
+
+template <int D> std::vector<Vec<D>> vectors(const std::vector<double>& numbers) {
+  std::vector<Vec<D>> all(numbers.size() / D);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    component(all[i / D], int(i % D)) = Real(numbers[i]);
+  return all;
+}
+
+}  // namespace
+
+double Lattice::particles() const {
+  double n = count.empty() ? 0 : 1;
+  for (const auto c : count) n *= double(c);
+  return n;
+}
+
+Vector Lattice::last(double spacing) const {
+  Vector end = from;
+  for (std::size_t k = 0; k < end.size(); ++k) end[k] += double(count[k] - 1) * spacing;
+  return end;
+}
+
+Lattice lattice_of(const Scene& s, const Scene::Fluid& f) {
+  const double spacing = s.particles.spacing;
+  if (f.shape == Shape::points) return {};
+  if (f.shape == Shape::lattice) return {f.from, f.count};
+  const Box box = box_around(s, f);
+  Lattice lattice{box.min, {}};
+  for (std::size_t k = 0; k < box.min.size(); ++k) {
+    lattice.from[k] += spacing / 2;
+    const double n = std::round((box.max[k] - box.min[k]) / spacing);
+    lattice.count.push_back(std::int64_t(std::fmin(n, 9e15)));
+  }
+  return lattice;
+}
+
+template <int D>
+Places<D>::Places(const Scene& s, const Scene::Fluid& f)
+    : spacing_(s.particles.spacing),
+      lattice_(lattice_of(s, f)),
+      low_(D, -INFINITY),
+      high_(D, INFINITY),
+      wall_points_(0.499 * spacing_) {
+  const bool whole = f.shape == Shape::lattice || f.shape == Shape::points ||
+                     (f.shape == Shape::box && f.side == Side::inside);
+  if (!whole) shape_.emplace(f);
+  shifts_ = periodic_shifts<D>(s);
+  const bool as_given = f.shape == Shape::lattice || f.shape == Shape::points;
+  for (int side = 0; side < 2 * D; ++side) {  // what holds a lattice that need not fit
+    const auto k = std::size_t(side / 2);
+    if (as_given || f.outside == Outside::clamp || s.periodic(side / 2) ||
+        s.side_method(side) == WallMethod::open)
+      continue;
+    if (side % 2) high_[k] = s.domain.max[k];
+    else low_[k] = s.domain.min[k];
+  }
+  for (const Scene::Wall& w : s.wall)
+    if (w.shape != Shape::points) walls_.emplace_back(w);
+    else
+      for (const Vec<D>& x : vectors<D>(read_points(w.file, D).x)) wall_points_.add(to_double(x));
+  for (const Scene::Inlet& in : s.inlet) zones_.emplace_back(s, in);
+  for (const Scene::Body& b : s.body) walls_.emplace_back(b);
+  if (f.shape != Shape::points) return;
+  const PointCloud cloud = read_points(f.file, D);
+  points_ = vectors<D>(cloud.x);
+  velocities_ = vectors<D>(cloud.v);
+}
+
+/// Nearer than half a spacing, less what the rounding of a position may be (see check_resolution).
+template <int D> bool Places<D>::in_wall(Vec<D> x) const {
+  for (std::size_t k = 0; k < D; ++k)
+    if (const double at = component(x, int(k));
+        at - low_[k] < 0.49 * spacing_ || high_[k] - at < 0.49 * spacing_)
+      return true;
+  for (const auto& zone : zones_)
+    if (zone.holds(to_double(x), 0.49 * spacing_)) return true;
+  for (const auto& wall : walls_)
+    for (const auto& shift : shifts_)
+      if (wall.distance(to_double(x) + shift) < 0.49 * spacing_) return true;
+  return !wall_points_.empty() && wall_points_.comes_near(to_double(x));
+}
+
+template <int D> bool Places<D>::comes_near(Vec<D> x) const {
+  std::array<std::int64_t, 3> nearest{};
+  for (int k = 0; k < D; ++k) {
+    const auto j = std::size_t(k);
+    const double n = (double(component(x, k)) - lattice_.from[j]) / spacing_;
+    if (!(n > -0.5 && n < double(lattice_.count[j]) - 0.5)) return false;
+    nearest[j] = std::int64_t(std::round(n));
+  }
+  const Vec<D> a = place(nearest);
+  return double(norm2(a - x)) < square(0.499 * spacing_) && in_shape(a) && !in_wall(a);
+}
+
+template class Places<2>;
+template class Places<3>;
+
+}  // namespace freshet

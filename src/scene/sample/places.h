@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+/// Where the particles of one fluid stand before jitter and pressure move them.
+#pragma once
+#include <array>
+#include <optional>
+
+#include "scene/model/openings.h"
+#include "scene/sample/point_grid.h"
+#include "scene/sample/region_surface.h"
+#include "scene/model/setup.h"
+
+namespace freshet {
+
+/// Whether a fluid fills a lattice of its own.
+inline bool is_block(const Scene::Fluid& f) {
+  return f.shape == Shape::lattice || (f.shape == Shape::box && f.side == Side::inside);
+}
+
+/// Vectors that lead from a place to its images beyond periodic ends, 0 first.
+template <int D> std::vector<Vec<D, double>> periodic_shifts(const Scene& s) {
+  std::vector<Vec<D, double>> shifts{{}};
+  for (int k = 0; k < D; ++k) {
+    if (!s.periodic(k)) continue;
+    const double length = s.domain.max[std::size_t(k)] - s.domain.min[std::size_t(k)];
+    for (std::size_t j = 0, n = shifts.size(); j < n; ++j)
+      for (const double sign : {-1.0, 1.0}) {
+        auto shift = shifts[j];
+        component(shift, k) += sign * length;
+        shifts.push_back(shift);
+      }
+  }
+  return shifts;
+}
+
+/// The places that a fluid takes; `scene` has its defaults filled in and outlives it.
+template <int D> class Places {
+ public:
+  Places(const Scene& scene, const Scene::Fluid& fluid);
+
+  /// Calls visit(x, i) for each place, i of those of a file, until it says false. Returns how many
+  /// places of the lattice, or of the file, walls take.
+  template <class F> std::int64_t each(F visit) const {
+    std::int64_t left_out = 0;
+    const auto look = [&](Vec<D> x, std::size_t i) {
+      if (!in_shape(x)) return true;
+      if (!in_wall(x)) return bool(visit(x, i));
+      ++left_out;
+      return true;
+    };
+    bool on = true;
+    for (std::size_t i = 0; i < points_.size() && on; ++i) on = look(points_[i], i);
+    if (!is_lattice()) return left_out;
+    for (std::int64_t layer = 0; layer < (D == 3 ? lattice_.count[D - 1] : 1) && on; ++layer)
+      for (std::int64_t row = 0; row < lattice_.count[1] && on; ++row)
+        for (std::int64_t column = 0; column < lattice_.count[0] && on; ++column)
+          on = look(place({column, row, layer}), 0);
+    return left_out;
+  }
+  bool is_lattice() const { return !lattice_.count.empty(); }
+  /// Of a lattice: whether one of its places is less than half a spacing from x.
+  bool comes_near(Vec<D> x) const;
+  const std::vector<Vec<D>>& velocities() const { return velocities_; }  ///< of a file, or empty
+
+ private:
+  Vec<D> place(const std::array<std::int64_t, 3>& n) const {
+    Vec<D> x{};
+    for (int k = 0; k < D; ++k)
+      component(x, k) =
+          Real(lattice_.from[std::size_t(k)]) + Real(n[std::size_t(k)]) * Real(spacing_);
+    return x;
+  }
+  bool in_shape(Vec<D> x) const {
+    return !shape_ || shape_->distance(to_double(x)) > 1e-6 * spacing_;
+  }
+  bool in_wall(Vec<D> x) const;
+
+  double spacing_;
+  Lattice lattice_;
+  std::vector<Vec<D>> points_, velocities_;
+  std::optional<RegionSurface<D>> shape_;  // none: every place is inside
+  std::vector<RegionSurface<D>> walls_;
+  std::vector<Vec<D, double>> shifts_;
+  std::vector<InletZone<D>> zones_;  // that inlets fill
+  Vector low_, high_;                // of the domain, where its sides hold the fluid
+  PointGrid<D> wall_points_;
+};
+
+extern template class Places<2>;
+extern template class Places<3>;
+
+/// Pairs of fluids, the earlier first, with particles less than half a spacing apart. Only the
+/// fluids of `good` are looked at.
+std::vector<std::pair<std::size_t, std::size_t>> overlapping_fluids(
+    const Scene& scene, const std::vector<std::size_t>& good);
+
+}  // namespace freshet

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "scene/sample/point_cloud.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "formats/point_sink.h"
+#include "freshet/error.h"
+
+namespace freshet {
+namespace {
+
+/// Positions and velocities as a scene takes them, and what is wrong with them.
+class PointColumns final : public PointSink {
+ public:
+  PointColumns(std::string file, int dimension)
+      : PointSink(std::move(file)), dimension_(dimension) {}
+
+  PointCloud cloud;
+
+  void name(const std::string& column, std::size_t place) override {
+    static constexpr const char* names[] = {"x", "y", "z", "vx", "vy", "vz"};
+    for (int k = 0; k < 6; ++k)
+      if (column == names[k]) {
+        if (place_[k] >= 0) fail(fmt::format("{} is named twice; name every column once", column));
+        place_[k] = std::ptrdiff_t(place);
+      }
+  }
+  void check() const override;
+  bool reads(std::size_t place) const override {
+    return std::find(place_, place_ + 6, std::ptrdiff_t(place)) != place_ + 6;
+  }
+  void add(const std::vector<double>& values) override;
+
+ private:
+  bool has_velocity() const { return place_[3] >= 0 || place_[4] >= 0 || place_[5] >= 0; }
+
+  int dimension_;
+  std::ptrdiff_t place_[6] = {-1, -1, -1, -1, -1, -1};
+};
+
+void PointColumns::check() const {
+  static constexpr const char* axes[] = {"x", "y", "z"};
+  for (int k = 0; k < dimension_; ++k)
+    if (place_[k] < 0)
+      fail(fmt::format("there is no {}; a {}D scene takes x, y{} and perhaps {}", axes[k],
+                       dimension_, dimension_ == 3 ? ", z" : "",
+                       dimension_ == 3 ? "vx, vy, vz" : "vx, vy"));
+  for (int k = 0; k < dimension_; ++k)
+    if (has_velocity() && place_[3 + k] < 0)
+      fail(fmt::format("there is no v{}, but another velocity; give all {} or none", axes[k],
+                       dimension_));
+}
+
+void PointColumns::add(const std::vector<double>& values) {
+  const auto value = [&](int k) {
+    const double v = values[std::size_t(place_[k])];
+    if (!(std::abs(v) <= 1e15))  // NaN too
+      fail(fmt::format("a number is {}; positions and velocities are finite, at most 1e15", v));
+    return v;
+  };
+  for (int k = 0; k < dimension_; ++k) cloud.x.push_back(value(k));
+  for (int k = 0; k < dimension_ && has_velocity(); ++k) cloud.v.push_back(value(3 + k));
+  for (const int k : {2, 5})
+    if (dimension_ == 2 && place_[k] >= 0 && value(k) != 0)
+      fail(fmt::format("{} is {:g}, and the scene is in 2D; make it 0, or give domain.max a z",
+                       k == 2 ? "z" : "vz", value(k)));
+}
+
+}  // namespace
+
+PointCloud points_in(std::string_view bytes, const std::filesystem::path& file, int dimension) {
+  PointColumns columns(file.string(), dimension);
+  const std::string extension = file.extension().string();
+  if (extension == ".ply") read_ply(bytes, columns);
+  else if (extension == ".vtp") read_vtp(bytes, columns);
+  else if (extension == ".csv") read_csv(bytes, columns);
+  else columns.fail("not *.ply, *.vtp or *.csv; convert it to one");
+  columns.line = 0;
+  if (columns.cloud.x.empty()) columns.fail("there is no point in it; is it the right file?");
+  return std::move(columns.cloud);
+}
+
+PointCloud read_points(const std::filesystem::path& file, int dimension) {
+  const auto fail = [&](const char* why) { throw Error(Error::Kind::scene, file.string(), why); };
+  std::error_code ec;
+  const auto status = std::filesystem::status(file, ec);
+  if (!std::filesystem::exists(status)) fail("no such file of points; check the path");
+  if (!std::filesystem::is_regular_file(status))
+    fail("not a file; name a *.ply, *.vtp or *.csv file");
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (!in || !(text << in.rdbuf())) fail("cannot be read; is it empty, or not yours to read?");
+  return points_in(std::move(text).str(), file, dimension);
+}
+
+}  // namespace freshet

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "scene/model/loaded_mesh.h"
+#include "scene/model/solid_of.h"
+
+namespace freshet {
+
+/// The surface of a region that is no points, of a scene with its defaults filled in.
+template <int D> class RegionSurface {
+ public:
+  explicit RegionSurface(const Scene::Region& region) {
+    if (is_solid(region.shape)) solid_ = solid_of<D>(region);
+    else mesh_ = region.loaded;
+    fluid_inside_ = region.side == Side::inside;
+  }
+
+  /// How far x is on the fluid's side [m]; negative on the other. A mesh with holes has no other.
+  double distance(Vec<D, double> x) const {
+    if constexpr (D == 3)
+      if (mesh_) {
+        if (!mesh_->condition.closed()) return mesh_->distance.nearest(x).distance;
+        const double outside = mesh_->distance.signed_distance(x);
+        return fluid_inside_ ? -outside : outside;
+      }
+    return solid_.distance(x);
+  }
+
+ private:
+  Solid<D, double> solid_;
+  std::shared_ptr<const LoadedMesh> mesh_;
+  bool fluid_inside_;
+};
+
+}  // namespace freshet

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "scene/sample/sample_bodies.h"
+
+#include "scene/model/loaded_mesh.h"
+#include "scene/sample/mesh_surface.h"
+#include "scene/sample/sample_walls.h"
+#include "scene/sample/surface.h"
+
+namespace freshet {
+namespace {
+
+/// As a wall of akinci2012: half a spacing beneath the surface, and as much deeper as lets a
+/// resting fluid have its rest density there.
+template <int D> std::vector<Vec<D, double>> layer_of(const Scene& s, const Scene::Region& body) {
+  const double spacing = s.particles.spacing, deeper = single_layer_distance(s) - spacing;
+  if constexpr (D == 3)
+    if (body.shape == Shape::mesh)
+      return points_behind(body.loaded->distance, spacing, spacing / 2 + deeper);
+  const auto solid = solid_of<D>(body);
+  auto points = Surface<D>(solid, spacing, 1).points({}, {}, {});
+  for (auto& x : points) x += -deeper * solid.normal(x);
+  return points;
+}
+
+/// As a wall of adami2012.
+template <int D> std::vector<Vec<D, double>> layers_of(const Scene& s, const Scene::Region& body) {
+  const double spacing = s.particles.spacing;
+  const int layers = wall_layers(s, WallMethod::adami2012);
+  if constexpr (D == 3)
+    if (body.shape == Shape::mesh) return layers_behind(body.loaded->distance, spacing, layers);
+  return Surface<D>(solid_of<D>(body), spacing, layers).points({}, {}, {});
+}
+
+}  // namespace
+
+template <int D> void sample_bodies(const Scene& s, Sample& all) {
+  if (s.body.empty()) return;
+  const bool layered = body_method(s) == WallMethod::adami2012;
+  for (std::size_t b = 0; b < s.body.size(); ++b)
+    for (Vec<D, double> x : layered ? layers_of<D>(s, s.body[b]) : layer_of<D>(s, s.body[b])) {
+      for (int k = 0; k < D; ++k) all.bodies.x.push_back(component(x, k));
+      all.bodies.body.push_back(std::int32_t(b));
+    }
+}
+
+template void sample_bodies<2>(const Scene&, Sample&);
+template void sample_bodies<3>(const Scene&, Sample&);
+
+double most_body_samples(const Scene& s) {
+  double all = 0, images = 1;
+  const int layers = wall_layers(s, body_method(s));
+  for (const Scene::Body& body : s.body) all += most_samples(s, body, layers);
+  for (int k = 0; k < s.dimension(); ++k) images *= s.periodic(k) ? 2 : 1;
+  return all * (1 + images);
+}
+
+}  // namespace freshet

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "scene/sample/sample_walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scene/sample/mesh_surface.h"
+#include "scene/sample/places.h"
+#include "scene/sample/point_cloud.h"
+#include "scene/sample/surface.h"
+
+namespace freshet {
+namespace {
+
+WallSample& sample_of(Sample& all, WallMethod method) {
+  return method == WallMethod::akinci2012  ? all.akinci2012
+         : method == WallMethod::adami2012 ? all.adami2012
+                                           : all.monaghan2009;
+}
+
+/// How much deeper in the wall than half a spacing the first samples of a method stand.
+double setback(const Scene& s, WallMethod method) {
+  return method == WallMethod::akinci2012 ? single_layer_distance(s) - s.particles.spacing : 0;
+}
+
+template <int D> void append(WallSample& to, Vec<D, double> x, std::int32_t wall) {
+  for (int k = 0; k < D; ++k) to.x.push_back(Real(component(x, k)));
+  to.wall.push_back(wall);
+}
+
+/// The lattice of cells that the domain is cut into, about a spacing wide, and how many of them
+/// samples may lie beyond each end.
+struct SideLattice {
+  Counts n, beyond;
+  Vector cell;
+  explicit SideLattice(const Scene& s) {
+    std::int64_t layers = 0;
+    for (int side = 0; side < 2 * s.dimension(); ++side)
+      if (!s.periodic(side / 2))
+        layers = std::max<std::int64_t>(layers, wall_layers(s, s.side_method(side)));
+    for (int k = 0; k < s.dimension(); ++k) {
+      const auto j = std::size_t(k);
+      const double length = s.domain.max[j] - s.domain.min[j];
+      n.push_back(std::max<std::int64_t>(1, std::llround(length / s.particles.spacing)));
+      cell.push_back(length / double(n.back()));
+      const bool images = s.periodic(k) && layers > 0;
+      beyond.push_back(images ? std::int64_t(std::ceil(support_radius(s) / cell.back())) : layers);
+    }
+  }
+};
+
+/// The side that a cell beyond the domain belongs to; -1: to none. The first whose method has
+/// enough layers fills the corners.
+int side_of(const Scene& s, const Counts& c, const Counts& n) {
+  std::int64_t deepest = 0;
+  int sides[3], count = 0;
+  for (int k = 0; k < s.dimension(); ++k) {
+    const auto j = std::size_t(k);
+    if (s.periodic(k) || (c[j] >= 0 && c[j] < n[j])) continue;
+    deepest = std::max(deepest, c[j] < 0 ? -c[j] : c[j] - n[j] + 1);
+    sides[count++] = 2 * k + (c[j] >= 0);
+  }
+  for (int i = 0; i < count; ++i)
+    if (deepest <= wall_layers(s, s.side_method(sides[i]))) return sides[i];
+  return -1;
+}
+
+template <int D> void sample_sides(const Scene& s, Sample& all) {
+  const SideLattice lattice(s);
+  if (lattice.beyond == Counts(D, 0)) return;
+  const double akinci_setback = setback(s, WallMethod::akinci2012);
+  around_lattice<D>(lattice.n, lattice.beyond, [&](const Counts& c) {
+    const int side = side_of(s, c, lattice.n);
+    if (side < 0) return;
+    bool image = false;
+    Vec<D, double> x{};
+    const double deeper = s.side_method(side) == WallMethod::akinci2012 ? akinci_setback : 0;
+    for (int k = 0; k < D; ++k) {
+      const auto j = std::size_t(k);
+      image |= s.periodic(k) && (c[j] < 0 || c[j] >= lattice.n[j]);
+      component(x, k) = s.domain.min[j] + (double(c[j]) + 0.5) * lattice.cell[j];
+      if (!s.periodic(k) && c[j] < 0) component(x, k) -= deeper;
+      if (!s.periodic(k) && c[j] >= lattice.n[j]) component(x, k) += deeper;
+    }
+    append(sample_of(all, s.side_method(side)), x, image ? -1 - side : side);
+  });
+}
+
+/// A box that may hold samples.
+template <int D> struct Room {
+  Vec<D, double> low, high;
+  bool has(Vec<D, double> x) const {
+    Vec<D, double> l = low, h = high;
+    for (int k = 0; k < D; ++k)
+      if (component(x, k) < component(l, k) || component(x, k) > component(h, k)) return false;
+    return true;
+  }
+};
+
+/// The domain and the support around it, which no particle sees beyond.
+template <int D> Room<D> domain_and_support(const Scene& s) {
+  Room<D> room{vec_of<D>(s.domain.min), vec_of<D>(s.domain.max)};
+  for (int k = 0; k < D; ++k) {
+    component(room.low, k) -= support_radius(s);
+    component(room.high, k) += support_radius(s);
+  }
+  return room;
+}
+
+/// Half a spacing behind the surface; of one with holes, which has no behind, on it.
+std::vector<Vec<3, double>> mesh_samples(const Scene& s, std::size_t wall) {
+  const Scene::Wall& w = s.wall[wall];
+  const double depth = s.particles.spacing / 2 + setback(s, s.wall_method(wall));
+  const double inwards = w.side == Side::outside ? depth : -depth;
+  return points_behind(w.loaded->distance, s.particles.spacing,
+                       w.loaded->condition.closed() ? inwards : 0);
+}
+
+template <int D> std::vector<Vec<D, double>> surface_points(const Scene& s, std::size_t wall) {
+  const Scene::Wall& w = s.wall[wall];
+  std::vector<Vec<D, double>> points;
+  if (w.shape == Shape::points) {
+    const std::vector<double> x = read_points(w.file, D).x;
+    for (std::size_t i = 0; i < x.size(); i += D) {
+      Vec<D, double> a{};
+      for (int k = 0; k < D; ++k) component(a, k) = x[i + std::size_t(k)];
+      points.push_back(a);
+    }
+    return points;
+  }
+  if constexpr (D == 3)
+    if (w.shape == Shape::mesh) return mesh_samples(s, wall);
+  const auto solid = solid_of<D>(w);
+  const SideLattice lattice(s);
+  Room<D> room{vec_of<D>(s.domain.min), vec_of<D>(s.domain.max)};
+  const auto cell = vec_of<D>(lattice.cell);
+  for (int k = 0; k < D; ++k) {
+    const double beyond = double(lattice.beyond[std::size_t(k)]) * lattice.cell[std::size_t(k)];
+    component(room.low, k) -= beyond;
+    component(room.high, k) += beyond;
+  }
+  Surface<D> surface(solid, s.particles.spacing, wall_layers(s, s.wall_method(wall)));
+  points = surface.points(room.low, room.high, cell);
+  const double deeper = setback(s, s.wall_method(wall));
+  for (auto& x : points) x += -deeper * solid.normal(x);
+  return points;
+}
+
+/// Of a wall that crosses a periodic end, the part beyond comes in again at the other.
+template <int D> void sample_wall(const Scene& s, std::size_t wall, Sample& all) {
+  const Room<D> room = domain_and_support<D>(s),
+                domain{vec_of<D>(s.domain.min), vec_of<D>(s.domain.max)};
+  const bool repeats = s.wall[wall].shape != Shape::plane;  // a plane reaches beyond by itself
+  const auto shifts = repeats ? periodic_shifts<D>(s) : std::vector<Vec<D, double>>(1);
+  WallSample& to = sample_of(all, s.wall_method(wall));
+  for (const Vec<D, double>& point : surface_points<D>(s, wall))
+    for (const Vec<D, double>& shift : shifts) {
+      Vec<D, double> x = point + shift, low = domain.low, high = domain.high;
+      if (!room.has(x)) continue;
+      bool image = false;
+      for (int k = 0; k < D; ++k)
+        image |= s.periodic(k) &&
+                 (component(x, k) < component(low, k) || component(x, k) >= component(high, k));
+      const auto number = std::int32_t(2 * D + int(wall));
+      append(to, x, image ? -1 - number : number);
+    }
+}
+
+double shell(const Vector& cells, double layers) {
+  double inside = 1, all = 1;
+  for (const double n : cells) {
+    inside *= n;
+    all *= n + 2 * layers;
+  }
+  return all - inside;
+}
+
+}  // namespace
+
+double most_samples(const Scene& s, const Scene::Region& w, double layers) {
+  const double spacing = s.particles.spacing, r = w.radius / spacing + layers + 2;
+  const double l = w.length / spacing + 2 * layers + 2, pi = std::numbers::pi;
+  Vector sides;
+  if (w.shape == Shape::sphere)
+    return layers * (w.center.size() == 2 ? 2 * pi * r : 4 * pi * r * r);
+  if (w.shape == Shape::mesh)  // a layer outside is wider than the surface: no more than by this
+    return 3 * layers * (w.loaded->distance.area() / square(spacing) + 100);
+  if (w.shape == Shape::cylinder) return layers * (2 * pi * r * l + 2 * pi * r * r);
+  if (w.shape == Shape::box)
+    for (std::size_t k = 0; k < w.min.size(); ++k)
+      sides.push_back((w.max[k] - w.min[k]) / spacing + 1);
+  if (w.shape == Shape::plane)  // half of what is around the domain is more
+    for (std::size_t k = 0; k < w.normal.size(); ++k)
+      sides.push_back((s.domain.max[k] - s.domain.min[k]) / spacing + 2 * layers + 2);
+  return shell(sides, layers);
+}
+
+int wall_layers(const Scene& s, WallMethod method) {
+  if (method == WallMethod::adami2012)
+    return int(std::ceil(support_radius(s) / s.particles.spacing * (1 - 1e-9)));
+  return method == WallMethod::akinci2012 || method == WallMethod::monaghan2009;
+}
+
+double most_wall_samples(const Scene& s) {
+  double layers = 0, all = 0;
+  for (int side = 0; side < 2 * s.dimension(); ++side)
+    if (!s.periodic(side / 2))
+      layers = std::max<double>(layers, wall_layers(s, s.side_method(side)));
+  Vector sides;
+  for (std::size_t k = 0; k < s.domain.max.size(); ++k)
+    sides.push_back((s.domain.max[k] - s.domain.min[k]) / s.particles.spacing + 1);
+  if (layers > 0) all += shell(sides, s.domain.periodic == Axes::none ? layers : layers + 10);
+  for (std::size_t k = 0; k < s.wall.size(); ++k)
+    if (const int n = wall_layers(s, s.wall_method(k)); n > 0 && s.wall[k].shape != Shape::points)
+      all += most_samples(s, s.wall[k], n);
+  return all;
+}
+
+template <int D> void sample_walls(const Scene& s, Sample& all) {
+  sample_sides<D>(s, all);
+  for (std::size_t k = 0; k < s.wall.size(); ++k)
+    if (wall_layers(s, s.wall_method(k)) > 0) sample_wall<D>(s, k, all);
+}
+
+template void sample_walls<2>(const Scene&, Sample&);
+template void sample_walls<3>(const Scene&, Sample&);
+
+}  // namespace freshet

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "scene/model/setup.h"
+
+namespace freshet {
+
+/// Samples the sides of the domain and the walls of a scene with its defaults filled in.
+template <int D> void sample_walls(const Scene& scene, Sample& all);
+
+extern template void sample_walls<2>(const Scene&, Sample&);
+extern template void sample_walls<3>(const Scene&, Sample&);
+
+/// At least as many samples as so many layers of a region's surface have.
+double most_samples(const Scene& scene, const Scene::Region& region, double layers);
+
+/// Layers of samples that a method has; 0: it has none.
+int wall_layers(const Scene& scene, WallMethod method);
+
+}  // namespace freshet
