@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,25 @@ class Simulation {
   /// the last; the message names the particle, its place, the moment and the likeliest cause.
   /// docs/when_it_goes_wrong.md has the bounds. What was thrown at can still be read.
   void step();
+
+  /// Adds to the acceleration of each particle, D numbers per particle in the order of `fluid`
+  /// [m/s²]. It starts as zeros.
+  using Force =
+      std::function<void(const ParticleView& fluid, double time, std::span<double> acceleration)>;
+  /// A force of the caller, evaluated in each step as a body force is: once by first-order
+  /// integrators and pressure solvers, else at the start and at the end of the step. Adaptive steps
+  /// obey it. It must not change the simulation. An empty function removes it. Checkpoints do not
+  /// hold it: set it again after a restore. The health monitor stops judging speed and energy.
+  void set_force(Force force);
+  /// Changes gravity from the next step on, one number per dimension [m/s²]. Throws Error (kind
+  /// scene) for another count or for infinity and NaN. Checkpoints do not hold it.
+  void set_gravity(const Vector& gravity);
+  /// Positions [m] and velocities [m/s] of the fluid, to be written between steps, in the order of
+  /// fluid(), which stays valid. Valid until the next step.
+  struct WritableParticles {
+    std::span<Real> x, v;
+  };
+  WritableParticles edit_fluid();
 
   const Scene& scene() const;
   std::int64_t steps_done() const;

@@ -2,6 +2,9 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <span>
+#include <vector>
 
 #include "core/field.h"
 #include "engine/plan.h"
@@ -9,16 +12,20 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The body force b(x, t) [m/s^2], an acceleration beside the solver's own.
+/// Accelerations beside the solver's own [m/s^2]: the body force b(x, t) of a plan, and a custom
+/// force of the caller.
 template <int D> class BodyForce {
  public:
+  using Custom = std::function<void(double time, std::span<double> acceleration)>;
   explicit BodyForce(const EnginePlan& p)
       : b_(p.body_force),
         varies_(p.body_force_varies),
-        halved_(b_ && !p.incompressible() && p.integrator != Integrator::symplectic_euler) {}
+        second_order_(!p.incompressible() && p.integrator != Integrator::symplectic_euler) {}
+
+  void set_custom(Custom force) { custom_ = std::move(force); }
 
   /// Whether a step takes half of it at its beginning and half at its end.
-  bool halved() const { return halved_; }
+  bool halved() const { return second_order_ && (b_ || custom_); }
   /// v + dt b(x, time)
   void push(const Particles<D>& f, double time, double dt) {
     each(f, time, [&](int i, Vec<D, double> b) {
@@ -34,21 +41,31 @@ template <int D> class BodyForce {
 
  private:
   template <class Visit> void each(const Particles<D>& f, double time, const Visit& visit) {
-    if (!b_) return;
+    if (custom_) {
+      acceleration_.assign(std::size_t(f.n) * D, 0);
+      custom_(time, acceleration_);
+    } else if (!b_) {
+      return;
+    }
     Vec<D, double> b{};
     for (int i = 0; i < f.n; ++i) {
-      if (i == 0 || varies_) {
+      if (b_ && (i == 0 || varies_)) {
         double x[3] = {}, value[3];
         for (int k = 0; k < D; ++k) x[k] = double(component(f.x[i], k));
         b_(x, time, value);
         for (int k = 0; k < D; ++k) component(b, k) = value[k];
       }
-      visit(i, b);
+      Vec<D, double> all = b;
+      for (int k = 0; k < D && custom_; ++k)
+        component(all, k) += acceleration_[std::size_t(i) * D + std::size_t(k)];
+      visit(i, all);
     }
   }
 
   std::function<void(const double (&x)[3], double t, double* b)> b_;
-  bool varies_, halved_;
+  Custom custom_;
+  std::vector<double> acceleration_;  // of the custom force
+  bool varies_, second_order_;
 };
 
 }  // namespace FRESHET_ISA

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
-#include "freshet/state_array.h"
+#include "core/inlet_plan.h"
 #include "freshet/frame.h"
 #include "freshet/particles.h"
 #include "freshet/report.h"
+#include "freshet/state_array.h"
 #include "freshet/time_step.h"
 #include "solvers/solve.h"
 
@@ -33,6 +36,15 @@ class Engine {
   /// The bounds of a step from `time` on, by the state and the accelerations of the last step.
   virtual TimeStepBounds bounds(double time) = 0;
   virtual ParticleView fluid() const = 0;
+  /// The positions and velocities of fluid(), to be written between steps.
+  virtual std::span<Real> positions() = 0;
+  virtual std::span<Real> velocities() = 0;
+  /// Changes gravity from the next step on [m/s^2].
+  virtual void set_gravity(const Triple& gravity) = 0;
+  /// Adds to the acceleration of each particle of fluid() at a time [s], D numbers per particle
+  /// [m/s^2]; empty: nothing.
+  using AddForce = std::function<void(double time, std::span<double> acceleration)>;
+  virtual void set_force(AddForce force) = 0;
   virtual std::vector<BodyState> bodies() const = 0;
   /// The force of the fluid on each wall in the order of Scene::wall_names() [N, N/m in 2D]: on
   /// reflecting walls the mean over `interval` [s], the time since the last call; on others now.

@@ -111,6 +111,16 @@ template <int D, class B> class EngineOf final : public Engine {
     view.liquid = {fluid_.kind.data, n};
     return view;
   }
+  std::span<Real> positions() override {
+    return {reinterpret_cast<Real*>(fluid_.x.data), std::size_t(fluid_.n) * D};
+  }
+  std::span<Real> velocities() override {
+    return {reinterpret_cast<Real*>(fluid_.v.data), std::size_t(fluid_.n) * D};
+  }
+  void set_gravity(const Triple& gravity) override {
+    stepper_->set_gravity(vec_of<D, Real>(gravity));
+  }
+  void set_force(AddForce force) override { body_force_.set_custom(std::move(force)); }
   std::vector<BodyState> bodies() const override {
     return bodies_ ? bodies_->bodies().states() : std::vector<BodyState>();
   }

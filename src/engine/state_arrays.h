@@ -7,8 +7,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "freshet/state_array.h"
 #include "core/vec.h"
+#include "freshet/state_array.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {

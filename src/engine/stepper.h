@@ -19,6 +19,7 @@ template <int D, class B> class Stepper {
   /// Allots the fluid's fields beside id, x and v.
   virtual void fields(FieldMaker<D>& maker) = 0;
   virtual Confinement<D>& confinement() = 0;
+  virtual void set_gravity(Vec<D> gravity) = 0;
   /// Forces beside pressure; null if there are none.
   virtual void set_forces(NonPressureForces<D, B>* forces) = 0;
   /// p/rho^2 that the first step starts from; null for solvers that do not solve for the pressure.

@@ -26,6 +26,10 @@ class StepperOf final : public Stepper<D, B> {
   FluidParticles<D>& fluid() override { return fluid_; }
   void fields(FieldMaker<D>& maker) override { solver_.fields(fluid_, visitor_of(maker)); }
   Confinement<D>& confinement() override { return solver_.c.confine; }
+  void set_gravity(Vec<D> gravity) override {
+    solver_.c.gravity = gravity;
+    if constexpr (requires { on_walls_.terms; }) on_walls_.terms.c.gravity = gravity;
+  }
   void set_forces(NonPressureForces<D, B>* forces) override {
     if constexpr (requires { solver_.forces; }) solver_.forces = forces;
   }

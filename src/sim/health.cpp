@@ -114,7 +114,7 @@ void Health::look(const Moment& now, const ParticleView& fluid,
   // A body force, a surface, the wind and walls that slide make any speed and energy.
   const bool slides = std::any_of(scene_.wall.begin(), scene_.wall.end(),
                                   [](const Scene::Wall& wall) { return !wall.velocity.empty(); });
-  const bool driven = !scene_.domain.body_force.empty() || scene_.air.drag != Drag::none ||
+  const bool driven = intervened_ || !scene_.domain.body_force.empty() || scene_.air.drag != Drag::none ||
                       slides || scene_.solver.surface_tension_method != SurfaceTensionMethod::none;
   const auto has = [this](BodyMotion motion) {
     return std::any_of(scene_.body.begin(), scene_.body.end(),

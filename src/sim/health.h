@@ -48,6 +48,9 @@ class Health {
   /// Throws as look does if a particle is lost; remembers nothing.
   void look_for_lost(const Moment& now, const ParticleView& fluid);
 
+  /// The caller changed forces or particles: speed and energy are not judged any more.
+  void note_intervention() { intervened_ = true; }
+
   const std::vector<Warning>& warnings() const { return record_.warnings; }
   const WatchRecord& record() const { return record_; }
   /// Goes on where the watch of a checkpoint ended.
@@ -94,6 +97,7 @@ class Health {
   double start_energy_ = 0, start_available_ = 0;  // of a mean particle [J/kg]
   Look last_, now_;
   Moment last_moment_, moment_;
+  bool intervened_ = false;
   WatchRecord record_;
 };
 

@@ -50,6 +50,35 @@ ParticleView Simulation::fluid() const { return impl_->engine->fluid(); }
 std::vector<BodyState> Simulation::bodies() const { return impl_->engine->bodies(); }
 const std::vector<VerbTiming>& Simulation::timings() const { return impl_->engine->timings(); }
 
+void Simulation::set_force(Force force) {
+  Impl& i = *impl_;
+  i.health->note_intervention();
+  if (!force) return i.engine->set_force({});
+  i.engine->set_force([engine = i.engine.get(), force = std::move(force)](
+                          double time, std::span<double> acceleration) {
+    force(engine->fluid(), time, acceleration);
+  });
+}
+
+void Simulation::set_gravity(const Vector& gravity) {
+  Impl& i = *impl_;
+  const bool finite =
+      std::all_of(gravity.begin(), gravity.end(), [](double g) { return std::isfinite(g); });
+  if (gravity.size() != std::size_t(i.scene.dimension()) || !finite)
+    throw Error(Error::Kind::scene, "gravity",
+                fmt::format("gravity must have {} finite numbers", i.scene.dimension()));
+  i.health->note_intervention();
+  i.scene.domain.gravity = gravity;  // bodies read it there
+  Triple g{};
+  std::copy(gravity.begin(), gravity.end(), g.begin());
+  i.engine->set_gravity(g);
+}
+
+Simulation::WritableParticles Simulation::edit_fluid() {
+  impl_->health->note_intervention();
+  return {impl_->engine->positions(), impl_->engine->velocities()};
+}
+
 void Simulation::step() {
   Impl& i = *impl_;
   const double dt = i.advance(i.time, i.next_step(), 0, infinity);

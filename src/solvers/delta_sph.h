@@ -94,49 +94,47 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
     backend.share("rho", f, f.rho);
     if (w.of_layered_bodies.n > 0) sum_moving_rate(backend, f, w);
     if (c.antuono) diffuse(backend, f);
-    if (density_first)
-      sum_rates(backend, f, w, "continuity", AdvanceDensity{f, moving_rate(w), t.dt, c.antuono});
+    SetRates finish{f, moving_rate(w), c.liquids, c.gravity, t.dt, c.antuono, density_first};
+    finish.advances = density_first;
+    if (density_first) sum_rates(backend, f, w, "continuity", finish);
     backend.for_each("pressure", f, [=] FRESHET_LAMBDA(int i) {
       f.p[i] = tait(B_tait, f.rho[i] / rho0, background);
     });
     backend.share("rho, p", f, f.rho, f.p);
     extrapolate_to_walls(backend, w, f, W, c);
-    sum_rates(backend, f, w, "rates",
-              SetRates{f, moving_rate(w), c.liquids, c.gravity, c.antuono, density_first});
+    finish.advances = false;
+    sum_rates(backend, f, w, "rates", finish);
     ask_bodies(backend, w, f, akinci2012_forces(f, w.of_bodies),
                adami2012_forces(f, w.of_layered_bodies));
   }
 
-  struct AdvanceDensity {
-    Fluid f;
-    Field<Real> moving_rate;
-    Real dt;
-    bool diffuses;
-    FRESHET_HD void operator()(int i, const DeltaSphSum<D, Real>& sum) const {
-      f.rho[i] += dt * density_rate(f, moving_rate, diffuses, i, sum.drho);
-    }
-  };
+  /// The end of both passes: one struct, so that their sums are compiled once.
   struct SetRates {
     Fluid f;
     Field<Real> moving_rate;
     Liquids liquids;
     Vec<D> g;
-    bool diffuses, density_is_done;
+    Real dt;
+    bool diffuses, density_first;
+    bool advances = false;  ///< rho += dt drho; else a and drho become the rates
     FRESHET_HD void operator()(int i, const DeltaSphSum<D, Real>& sum) const {
+      if (advances) {
+        f.rho[i] += dt * density_rate(f, moving_rate, diffuses, i, sum.drho);
+        return;
+      }
       f.a[i] = liquids.lightness(f, i) * sum.a + g;
-      f.drho[i] = density_is_done ? 0 : density_rate(f, moving_rate, diffuses, i, sum.drho);
+      f.drho[i] = density_first ? 0 : density_rate(f, moving_rate, diffuses, i, sum.drho);
     }
   };
-  /// What it sums to, with what passes of their own have found.
+  /// Drho_i/Dt: the sum, with the rates of the passes of bodies and of diffusion.
   FRESHET_HD static Real density_rate(const Fluid& f, Field<Real> moving_rate, bool diffuses, int i,
                                       Real sum) {
     if (moving_rate.data) sum -= moving_rate[i];
     return diffuses ? sum + f.diffusion[i] : sum;
   }
 
-  template <class Finish>
   void sum_rates(B& backend, const Fluid& f, const Walls<D>& w, const char* name,
-                 const Finish& finish) const {
+                 const SetRates& finish) const {
     backend.sum_pairs(name, f, over(f, fluid_forces(f)),
                       over(w.akinci2012, akinci2012_forces(f, w.akinci2012)),
                       over(w.adami2012, adami2012_forces(f, w.adami2012)),
