@@ -116,8 +116,7 @@ int validate_with(const ValidateArguments& a) {
   if (a.json) fmt::print("{}", validation_json(runs));
   const auto bad =
       std::count_if(runs.begin(), runs.end(), [](auto& r) { return !r.as_expected(); });
-  fmt::print(stderr, "{} of {} runs are as they should be\n", runs.size() - std::size_t(bad),
-             runs.size());
+  fmt::print(stderr, "{}\n", validation_summary(runs));
   return bad ? failed : done;
 }
 

@@ -97,6 +97,10 @@ struct ValidationRun {
   bool as_expected() const;
 };
 
+/// "564 of 823 bounds are met (69 %). 373 of 373 runs meet and miss the bounds that their cases
+/// expect."
+std::string validation_summary(const std::vector<ValidationRun>& runs);
+
 struct ValidateOptions {
   std::vector<ValidationCase> cases;
   std::vector<std::string> solvers;  ///< of those that a case has; empty: all

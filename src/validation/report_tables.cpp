@@ -76,12 +76,24 @@ std::string summary_of(const std::vector<ValidationRun>& runs) {
     seconds += r.seconds;
     if (!r.commit.empty()) commits.insert(r.commit);
   }
-  const auto good =
-      std::count_if(runs.begin(), runs.end(), [](auto& r) { return r.as_expected(); });
+  return fmt::format("{} Their steps took {:.0f} minutes. Version {} ({}).",
+                     validation_summary(runs), seconds / 60, FRESHET_VERSION,
+                     fmt::join(commits, ", "));
+}
+
+std::string validation_summary(const std::vector<ValidationRun>& runs) {
+  std::size_t met = 0, bounds = 0, expected = 0;
+  for (const ValidationRun& r : runs) {
+    expected += r.as_expected();
+    for (const ValidationResult& v : r.results) {
+      bounds += v.bound.has_value();
+      met += v.bound && v.passed && r.error.empty();
+    }
+  }
   return fmt::format(
-      "{} of {} runs are as they should be. Their steps took {:.0f} minutes. Version {} "
-      "({}).",
-      good, runs.size(), seconds / 60, FRESHET_VERSION, fmt::join(commits, ", "));
+      "{} of {} bounds are met ({:.0f} %). {} of {} runs meet and miss the bounds that their cases "
+      "expect.",
+      met, bounds, bounds ? 100.0 * double(met) / double(bounds) : 0.0, expected, runs.size());
 }
 
 std::vector<ValidationRun> runs_of(const std::vector<ValidationRun>& runs,

@@ -235,7 +235,9 @@ TEST(ValidationReport, SaysWhatMissed) {
   c.title = "a < b";
   const std::string html = validation_html({c}, {good, bad, expected});
   EXPECT_NE(std::string::npos, html.find("a &lt; b"));
-  EXPECT_NE(std::string::npos, html.find("2 of 3 runs are as they should be"));
+  EXPECT_NE(std::string::npos,
+            html.find("1 of 3 bounds are met (33 %). 2 of 3 runs meet and miss the "
+                      "bounds that their cases expect."));
   EXPECT_NE(std::string::npos, html.find("<a href=\"#case\">case</a></td><td>0/1*, 0/1</td>"));
   const std::string table = validation_markdown({c}, {good, bad});
   EXPECT_NE(std::string::npos, table.find("| [case](#case) | 0/1* | 1/1 |")) << table;
