@@ -8,6 +8,7 @@
 #include "solvers/delta_sph.h"
 #include "solvers/dfsph.h"
 #include "solvers/iisph.h"
+#include "solvers/incompressible_impl.h"
 #include "solvers/mueller2003.h"
 #include "solvers/pbf.h"
 #include "solvers/pcisph.h"
@@ -27,6 +28,10 @@ template struct Wcsph<3, Device<3>, WendlandSmooth>;
 template struct DeltaSph<2, Device<2>, WendlandC4>;
 template struct DeltaSph<3, Device<3>, WendlandC2>;
 template struct DeltaSph<3, Device<3>, WendlandC6>;
+template struct Incompressible<2, Device<2>, CubicSpline>;
+template struct Incompressible<2, Device<2>, WendlandSmooth>;
+template struct Incompressible<3, Device<3>, CubicSpline>;
+template struct Incompressible<3, Device<3>, WendlandSmooth>;
 template struct Pcisph<2, Device<2>, CubicSpline>;
 template struct Iisph<3, Device<3>, WendlandSmooth>;
 template struct Dfsph<2, Device<2>, WendlandSmooth>;
