@@ -4,11 +4,11 @@
 
 #include <cmath>
 
+#include "engine/select.h"
 #include "io/checkpoint.h"
 #include "scene/model/body_shape.h"
 #include "scene/model/expressions.h"
-#include "engine/select.h"
-#include "sim/small_scenes.h"
+#include "sim/same_bits.h"
 
 namespace freshet::test {
 namespace {
@@ -255,25 +255,6 @@ TEST_P(LayeredBodies, LiftWaterAsIfItWereHeavy) {
   EXPECT_NEAR(heavy.bodies()[0].force[1], lifted.bodies()[0].force[1], 0.01 * weight);
 }
 
-struct Outcome {
-  std::string state, kept;
-  std::vector<double> bodies;
-};
-Outcome outcome_of(const Simulation& sim) {
-  Outcome o{sim.state_sha256(), sim.kept_sha256(), {}};
-  for (const BodyState& b : sim.bodies()) {
-    for (const auto* part : {&b.position, &b.velocity, &b.angular_velocity, &b.force, &b.torque})
-      o.bodies.insert(o.bodies.end(), part->begin(), part->end());
-    o.bodies.insert(o.bodies.end(), b.orientation.begin(), b.orientation.end());
-  }
-  return o;
-}
-void expect_equal(const Outcome& a, const Outcome& b, const std::string& what) {
-  EXPECT_EQ(a.state, b.state) << what;
-  EXPECT_EQ(a.kept, b.kept) << what;
-  EXPECT_EQ(a.bodies, b.bodies) << what;
-}
-
 /// Two boxes that meet, a wheel and a wall that moves; across the ends of the domain.
 std::string crowd(bool flat) {
   const auto vector = [&](double x, double y) {
@@ -301,36 +282,11 @@ std::string crowd(bool flat) {
 }
 
 TEST_P(Bodies, HaveTheSameBits) {
-  for (const bool flat : {true, false}) {
-    const std::string text = with(crowd(flat), "1");
-    const auto run = [&](const char* backend, const Execution& execution) {
-      Simulation sim = simulation_of(text, backend, execution);
-      for (int k = 0; k < 20; ++k) sim.step();
-      return outcome_of(sim);
-    };
-    const Outcome reference = run("reference", {});
-    for (const std::string& isa : instruction_sets())
-      for (const int threads : {7, 2, 1})
-        expect_equal(reference, run("cpu", {threads, isa}), isa + std::to_string(threads));
-  }
+  for (const bool flat : {true, false}) expect_same_bits(with(crowd(flat), "1"), 20);
 }
 
 TEST_P(Bodies, GoOnFromACheckpointToTheSameBits) {
-  const std::string text = with(crowd(true), "1");
-  const auto steps = [](Simulation& sim, int to) {
-    while (sim.steps_done() < to) sim.step();
-  };
-  for (const char* backend : {"reference", "cpu"}) {
-    Simulation first = simulation_of(text, backend, {2, ""});
-    steps(first, 9);
-    const Checkpoint saved =
-        decode_checkpoint(encode_checkpoint(first.checkpoint()), "a checkpoint");
-    steps(first, 18);
-    Simulation second = simulation_of(text, backend, {1, ""});
-    second.restore(saved);
-    steps(second, 18);
-    expect_equal(outcome_of(first), outcome_of(second), backend);
-  }
+  expect_same_bits_after_restart(with(crowd(true), "1"), 9, 9);
 }
 
 // Flow between a wall and a plate that is drawn along: v = V y/H.

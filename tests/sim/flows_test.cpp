@@ -7,11 +7,11 @@
 #include <cmath>
 #include <set>
 
+#include "engine/select.h"
 #include "freshet/derived.h"
 #include "io/checkpoint.h"
-#include "engine/select.h"
 #include "run/observables.h"
-#include "sim/small_scenes.h"
+#include "sim/same_bits.h"
 
 namespace freshet::test {
 namespace {
@@ -179,23 +179,6 @@ TEST(Recycling, BringsBackWhatLeaves) {
   EXPECT_GT(*ids(sim).rbegin(), 30u) << "an id is never used again";
 }
 
-struct Outcome {
-  std::string state, kept;
-  std::vector<std::int64_t> flows;
-  std::vector<Vector> forces;
-  double time;
-  bool operator==(const Outcome&) const = default;
-};
-Outcome outcome_of(Simulation& sim) {
-  Outcome out{sim.state_sha256(), sim.kept_sha256(), {}, sim.wall_forces(), sim.time()};
-  for (const Flow& flow : sim.flows()) {
-    out.flows.push_back(flow.particles);
-    out.flows.push_back(flow.waiting);
-    out.flows.push_back(std::llround(1e9 * flow.rate));
-  }
-  return out;
-}
-
 /// Jets that meet a wall, a drain that feeds one of them, walls of several kinds.
 std::string river(const std::string& solver, const std::string& time) {
   return "[domain]\nmax = [1.6, 1.0]\n[particles]\nspacing = 0.05\n"
@@ -227,49 +210,14 @@ class Flows : public ::testing::TestWithParam<Words> {
 };
 
 TEST_P(Flows, HaveTheReferencesBits) {
-  const auto run = [&](const char* backend, const Execution& execution) {
-    Simulation sim = simulation_of(text_, backend, execution);
-    for (int k = 0; k < 60; ++k) {
-      sim.step();
-      if (k % 20 == 7) sim.wall_forces();
-    }
-    return outcome_of(sim);
-  };
-  const Outcome reference = run("reference", {});
+  const Outcome reference = expect_same_bits(text_, 60, [](Simulation& sim) {
+    if (sim.steps_done() % 20 == 8) sim.wall_forces();
+  });
   EXPECT_GT(reference.flows[6], 10) << "some have left";
-  for (const std::string& isa : instruction_sets())
-    for (const int threads : {7, 2, 1}) {
-      const Outcome cpu = run("cpu", {threads, isa});
-      EXPECT_EQ(reference.state, cpu.state) << isa << " on " << threads;
-      EXPECT_EQ(reference.kept, cpu.kept) << isa << " on " << threads;
-      EXPECT_EQ(reference.flows, cpu.flows) << isa << " on " << threads;
-      EXPECT_EQ(reference.forces, cpu.forces) << isa << " on " << threads;
-      EXPECT_EQ(reference.time, cpu.time) << isa << " on " << threads;
-    }
 }
 
-// Into a fresh simulation, which has fewer particles, and into one that has gone on, which has
-// others.
-TEST_P(Flows, GoOnAfterARestart) {
-  for (const char* backend : {"reference", "cpu"}) {
-    Simulation first = simulation_of(text_, backend, {2, ""});
-    for (int k = 0; k < 64; ++k) first.step();
-    const Checkpoint saved =
-        decode_checkpoint(encode_checkpoint(first.checkpoint()), "a checkpoint");
-    const std::size_t then = first.fluid().size();
-    for (int k = 0; k < 30; ++k) first.step();
-    EXPECT_NE(then, first.fluid().size());
-    const Outcome expected = outcome_of(first);
-    Simulation second = simulation_of(text_, backend, {1, ""});
-    EXPECT_NE(then, second.fluid().size());
-    for (Simulation* sim : {&second, &first}) {
-      sim->restore(saved);
-      EXPECT_EQ(then, sim->fluid().size());
-      for (int k = 0; k < 30; ++k) sim->step();
-      EXPECT_EQ(expected, outcome_of(*sim)) << backend;
-    }
-  }
-}
+// Restored into simulations that have fewer particles, and others.
+TEST_P(Flows, GoOnAfterARestart) { expect_same_bits_after_restart(text_, 64, 30); }
 
 INSTANTIATE_TEST_SUITE_P(
     OfSolvers, Flows,

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "io/checkpoint.h"
 #include "engine/select.h"
-#include "sim/small_scenes.h"
+#include "io/checkpoint.h"
+#include "sim/same_bits.h"
 
 namespace freshet::test {
 namespace {
@@ -129,21 +129,8 @@ TEST_P(Liquids, ThatAreAlikeAreOne) {
 
 TEST_P(Liquids, HaveTheSameBitsOnAnyThreadsAndAfterARestart) {
   const std::string text = tank(GetParam(), 1000, 150, "", adaptive);
-  const auto run = [&](const char* backend, int threads, bool restart) {
-    Simulation sim = simulation_of(text, backend, {threads, ""});
-    for (int k = 0; k < 10; ++k) sim.step();
-    if (restart) {
-      const Checkpoint saved = decode_checkpoint(encode_checkpoint(sim.checkpoint()), "saved");
-      sim = simulation_of(text, backend, {threads, ""});
-      sim.restore(saved);
-    }
-    for (int k = 0; k < 10; ++k) sim.step();
-    return sim.kept_sha256();
-  };
-  const std::string reference = run("reference", 1, false);
-  for (const int threads : {7, 2, 1})  // descending: clang's libomp leaks when a team grows
-    EXPECT_EQ(reference, run("cpu", threads, false)) << threads;
-  EXPECT_EQ(reference, run("cpu", 2, true));
+  expect_same_bits(text, 20);
+  expect_same_bits_after_restart(text, 10, 10);
 }
 
 }  // namespace

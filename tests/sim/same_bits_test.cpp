@@ -5,10 +5,9 @@
 
 #include <cmath>
 
-#include "io/checkpoint.h"
-#include "scene/model/expressions.h"
 #include "engine/select.h"
-#include "sim/small_scenes.h"
+#include "scene/model/expressions.h"
+#include "sim/same_bits.h"
 
 namespace freshet::test {
 namespace {
@@ -49,29 +48,6 @@ std::string scene_of(const Words& w) {
   return text;
 }
 
-struct Outcome {
-  std::string state, kept;
-  std::vector<Vector> forces;
-  double time = 0;
-};
-void expect_equal(const Outcome& a, const Outcome& b, const std::string& what) {
-  EXPECT_EQ(a.state, b.state) << what;
-  EXPECT_EQ(a.kept, b.kept) << what;
-  EXPECT_EQ(a.forces, b.forces) << what;
-  EXPECT_EQ(a.time, b.time) << what;
-}
-
-Outcome outcome_of(Simulation& sim) {
-  const auto forces = sim.wall_forces();
-  return {sim.state_sha256(), sim.kept_sha256(), forces, sim.time()};
-}
-
-Outcome run(const std::string& text, const char* backend, const Execution& execution = {}) {
-  Simulation sim = simulation_of(text, backend, execution);
-  for (int k = 0; k < 25; ++k) sim.step();
-  return outcome_of(sim);
-}
-
 void PrintTo(const Words& w, std::ostream* out) {
   *out << w.dimension << "D " << w.solver << " " << w.walls << " " << w.integrator;
 }
@@ -86,8 +62,7 @@ class SameBits : public ::testing::TestWithParam<Words> {
 };
 
 TEST_P(SameBits, AsTheReference) {
-  const std::string text = scene_of(GetParam());
-  const Outcome reference = run(text, "reference");
+  const Outcome reference = expect_same_bits(scene_of(GetParam()), 25);
   double pushed = 0;
   for (const Vector& force : reference.forces)
     for (const double f : force) pushed += std::abs(f);
@@ -95,36 +70,9 @@ TEST_P(SameBits, AsTheReference) {
   const bool wall_less =
       walls.find("xy") != std::string::npos || walls.find("open") != std::string::npos;
   EXPECT_EQ(wall_less, !(pushed > 0)) << "the fluid meets its walls";
-  for (const std::string& isa : instruction_sets())
-    for (const int threads : {7, 3, 2, 1})  // descending: clang's libomp leaks when a team grows
-      expect_equal(reference, run(text, "cpu", {threads, isa}),
-                   isa + " on " + std::to_string(threads) + " threads\n" + text);
 }
 
-// A checkpoint that went through a file, restored into a fresh simulation on other threads.
-TEST_P(SameBits, AfterARestart) {
-  const std::string text = scene_of(GetParam());
-  const auto steps = [](Simulation& sim, int to) {
-    while (sim.steps_done() < to) sim.step();
-  };
-  for (const char* backend : {"reference", "cpu"}) {
-    Simulation first = simulation_of(text, backend, {2, ""});
-    steps(first, 12);
-    const Checkpoint saved =
-        decode_checkpoint(encode_checkpoint(first.checkpoint()), "a checkpoint");
-    steps(first, 25);
-    Simulation second = simulation_of(text, backend, {1, ""});
-    second.restore(saved);
-    EXPECT_EQ(second.steps_done(), 12);
-    steps(second, 25);
-    expect_equal(outcome_of(first), outcome_of(second), backend);
-    EXPECT_EQ(first.time_steps().ruled, second.time_steps().ruled);
-    EXPECT_EQ(first.time_steps().min, second.time_steps().min);
-    EXPECT_EQ(first.time_steps().retried, second.time_steps().retried);
-    for (std::size_t k = 0; k < first.solves().size(); ++k)
-      EXPECT_EQ(first.solves()[k].iterations, second.solves()[k].iterations);
-  }
-}
+TEST_P(SameBits, AfterARestart) { expect_same_bits_after_restart(scene_of(GetParam()), 12, 13); }
 
 constexpr const char* akinci = "[walls]\nmethod = \"akinci2012\"";
 constexpr const char* akinci_slips = "[walls]\nmethod = \"akinci2012\"\nslip = \"free_slip\"";

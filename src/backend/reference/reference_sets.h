@@ -45,7 +45,8 @@ template <int D> class ReferenceSets {
                       const Fixed&... fixed) {
     search(name, support_radius, moving, {static_cast<const Particles<D>*>(&fixed)...});
   }
-  /// Lists the neighbours of `targets` among `sources`, by the positions at the last search.
+  /// Lists the neighbours of `targets` among `sources` by the positions of both at the last search.
+  /// Targets that move are taken at their present positions.
   void list_neighbors(const char* name, Real support_radius, const Particles<D>& targets,
                       const Particles<D>& sources);
 
@@ -72,6 +73,7 @@ template <int D> class ReferenceSets {
   std::unique_ptr<std::byte[]> room_for(int particles, const Memory& m) const;
   void search(const char* name, Real support_radius, Particles<D>& moving,
               std::initializer_list<const Particles<D>*> fixed);
+  void remember_positions(const Particles<D>& p);
   void list(Real h, const Particles<D>& targets, const Particles<D>& sources);
 
   Search search_;

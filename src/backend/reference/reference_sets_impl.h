@@ -80,9 +80,9 @@ void ReferenceSets<D>::search(const char* name, Real support_radius, Particles<D
   Copies<D>& copies = copies_[std::size_t(moving.set)];
   copies.make(moving, support_radius);
   copies.place(moving);
-  searched_.resize(copies_.size());
-  searched_[std::size_t(moving.set)].assign(moving.x.data,
-                                            moving.x.data + moving.n + moving.copies);
+  remember_positions(moving);
+  for (const Particles<D>* set : fixed)
+    if (set->moves) remember_positions(*set);
   list(support_radius, moving, moving);
   for (const Particles<D>* set : fixed) list(support_radius, moving, *set);
 }
@@ -91,9 +91,18 @@ template <int D>
 void ReferenceSets<D>::list_neighbors(const char* name, Real support_radius,
                                       const Particles<D>& targets, const Particles<D>& sources) {
   const auto timer = timings_.time(name, targets.n);
-  Particles<D> as_found = sources;
-  as_found.x.data = searched_.at(std::size_t(sources.set)).data();
-  list(support_radius, targets, as_found);
+  const bool known = std::size_t(targets.set) < searched_.size() &&
+                     searched_[std::size_t(targets.set)].size() >= std::size_t(targets.n);
+  if (targets.moves || !known) remember_positions(targets);
+  Particles<D> target_positions = targets, source_positions = sources;
+  target_positions.x.data = searched_[std::size_t(targets.set)].data();
+  source_positions.x.data = searched_.at(std::size_t(sources.set)).data();
+  list(support_radius, target_positions, source_positions);
+}
+
+template <int D> void ReferenceSets<D>::remember_positions(const Particles<D>& p) {
+  searched_.resize(copies_.size());
+  searched_[std::size_t(p.set)].assign(p.x.data, p.x.data + p.n + p.copies);
 }
 
 template <int D>
