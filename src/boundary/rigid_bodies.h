@@ -18,16 +18,16 @@ template <int D> struct RigidBodies {
     double c[freedoms] = {};
     FRESHET_HD double operator[](int k) const { return c[k]; }
     FRESHET_HD double& operator[](int k) { return c[k]; }
-    Twist& operator+=(const Twist& o) {
+    FRESHET_HD Twist& operator+=(const Twist& o) {
       for (int k = 0; k < freedoms; ++k) c[k] += o[k];
       return *this;
     }
-    friend Twist operator*(double s, Twist t) {
+    FRESHET_HD friend Twist operator*(double s, Twist t) {
       for (double& x : t.c) x *= s;
       return t;
     }
-    friend Twist operator+(Twist a, const Twist& b) { return a += b; }
-    friend Twist operator-(Twist a, const Twist& b) { return a += -1.0 * b; }
+    FRESHET_HD friend Twist operator+(Twist a, const Twist& b) { return a += b; }
+    FRESHET_HD friend Twist operator-(Twist a, const Twist& b) { return a += -1.0 * b; }
   };
 
   struct Body {
