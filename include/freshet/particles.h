@@ -10,15 +10,15 @@
 
 namespace freshet {
 
-/// A read-only view of the fluid, valid until the next step. `dimension` numbers a particle in x
-/// and v; every array has the same order.
+/// A read-only view of the fluid, valid until the next step. x and v hold `dimension` numbers per
+/// particle; every array has the same order.
 struct ParticleView {
   int dimension = 2;
   std::span<const std::uint64_t> id;
   std::span<const Real> x, v;      ///< position [m], velocity [m/s]
   std::span<const Real> density;   ///< [kg/m^D], as computed in the last step; at the start at rest
-  std::span<const Real> pressure;  ///< the same of the pressure [Pa; N/m in 2D]
-  std::span<const int> liquid;     ///< place in Scene::liquids(); empty where there is but one
+  std::span<const Real> pressure;  ///< [Pa; N/m in 2D], as computed in the last step
+  std::span<const int> liquid;     ///< index in Scene::liquids(); empty for one liquid
   int liquid_of(std::size_t i) const { return liquid.empty() ? 0 : liquid[i]; }
   std::size_t size() const { return id.size(); }
 };
