@@ -26,11 +26,10 @@ int main() {
     freshet::Simulation sim(freshet::parse_scene(column, "column"));
     std::ofstream out("height.csv");
     out << "time [s],height [m]\n";
-    for (double next = 0; !sim.finished(); sim.step()) {
-      if (sim.time() < next - 1e-9) continue;
-      out << sim.time() << "," << height(sim.fluid()) << "\n";
-      next += 0.01;
-    }
+    sim.observe({.seconds = 0.01}, [&](const freshet::Simulation& s) {
+      out << s.time() << "," << height(s.fluid()) << "\n";
+    });
+    while (!sim.finished()) sim.step();
     if (!out.flush()) throw freshet::Error(freshet::Error::Kind::run, "height.csv", "not written");
     std::puts("wrote height.csv");
   } catch (const freshet::Error& error) {

@@ -44,25 +44,13 @@ std::string kernel_word(KernelName kernel) {
 }
 
 std::string solver_row(const Scene& s) {
-  const std::string kernel = ", kernel " + kernel_word(s.solver.kernel);
-  switch (s.solver.name) {
-    case SolverName::mueller2003:
-      return "mueller2003, kernels Poly6 and Spiky";
-    case SolverName::wcsph:
-      return "wcsph" + kernel;
-    case SolverName::delta_sph:
-      return "delta_sph" + kernel;
-    case SolverName::pcisph:
-      return "pcisph (Solenthaler and Pajarola 2009)" + kernel;
-    case SolverName::iisph:
-      return "iisph (Ihmsen et al. 2014)" + kernel;
-    case SolverName::dfsph:
-      return fmt::format("dfsph (Bender and Koschier 2017), {}{}",
-                         s.solver.iteration == Iteration::jacobi ? "Jacobi" : "Nesterov", kernel);
-    case SolverName::pbf:
-      return "pbf (Macklin and Müller 2013)" + kernel;
-  }
-  return "";
+  const SolverMethod& m = s.method();
+  const std::string kernel =
+      m.has_own_kernels() ? "kernels Poly6 and Spiky" : "kernel " + kernel_word(s.solver.kernel);
+  const char* iteration = !m.reads("solver.iteration")              ? ""
+                          : s.solver.iteration == Iteration::jacobi ? "Jacobi, "
+                                                                    : "Nesterov, ";
+  return fmt::format("{} ({}), {}{}", m.name, m.paper, iteration, kernel);
 }
 
 std::string percent(double share) { return fmt::format("{:.4g} %", 100 * share); }
@@ -70,7 +58,7 @@ std::string percent(double share) { return fmt::format("{:.4g} %", 100 * share);
 /// What a solve for the pressure comes to, and what it takes at most.
 std::string tolerance_row(const Scene& s, const Derived& d) {
   const std::string divergence =
-      s.solver.name == SolverName::dfsph
+      s.method().reads("solver.divergence_tolerance")
           ? fmt::format(", of divergence {} in a step", percent(s.solver.divergence_tolerance))
           : "";
   return fmt::format("of density {}{}; {} to {} iterations a solve", percent(d.density_tolerance),
@@ -79,7 +67,7 @@ std::string tolerance_row(const Scene& s, const Derived& d) {
 
 std::string sound_row(const Scene& s, const Derived& d) {
   const std::string speed = fmt::format("{:.4g} m/s", d.sound_speed);
-  return s.solver.name == SolverName::mueller2003
+  return s.method().reads("solver.stiffness")
              ? fmt::format("{} (stiffness {:.4g} m²/s²)", speed, d.stiffness)
              : speed;
 }
@@ -107,8 +95,9 @@ std::string time_step_row(const Scene& s, const Derived& d) {
   const std::string step = s.time.adaptive
                                ? fmt::format("adaptive, at most {:g} s", *s.time.step_max)
                                : fmt::format("{:g} s", s.time.step);
-  const std::string fastest = s.solver.incompressible() ? "flow at the start " + bound(d.flow_step)
-                                                        : "sound " + bound(d.acoustic_step);
+  const std::string fastest = s.method().incompressible()
+                                  ? "flow at the start " + bound(d.flow_step)
+                                  : "sound " + bound(d.acoustic_step);
   const std::string tension =
       std::isfinite(d.capillary_step) ? ", surface tension " + bound(d.capillary_step) : "";
   return fmt::format("{}; bounds: {}, gravity {}, viscosity {}{}", step, fastest,
@@ -147,7 +136,7 @@ void info(const SceneArguments& a) {
                                      d.mass / std::pow(d.spacing, s.dimension()) *
                                          (1 + d.density_error) / d.lattice_sum,
                                      density, d.rest_density, density));
-  if (s.solver.incompressible()) row("tolerances", tolerance_row(s, d));
+  if (s.method().incompressible()) row("tolerances", tolerance_row(s, d));
   else row("speed of sound", sound_row(s, d));
   row("time step", time_step_row(s, d));
   row("steps",

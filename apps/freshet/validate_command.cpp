@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "freshet/validate.h"
+#include "validate/validate.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -39,8 +39,8 @@ struct Checkpoint {
   };
   std::string scene;  ///< TOML, as run; empty for a scene made in code
   std::int64_t steps = 0;
-  double time = 0, forces_asked = 0, flows_asked = 0;  ///< [s]
-  std::vector<std::int64_t> flowed;                    ///< counts when flows were last asked for
+  double time = 0;      ///< [s]
+  bool edited = false;  ///< Simulation::add_particles or remove_particles was called
   TimeSteps time_steps;
   std::vector<SolveStatistics> solves;
   bool retries_help = true;  ///< false from a step that halves did not help to one that converges

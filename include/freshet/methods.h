@@ -4,6 +4,7 @@
 
 namespace freshet {
 
+/// freshet/solver_method.h describes each.
 enum class SolverName { mueller2003, wcsph, delta_sph, pcisph, iisph, dfsph, pbf };
 enum class Scheme { paper, article };
 enum class KernelName { cubic_spline, wendland_c2, wendland_c4, wendland_c6 };
@@ -19,8 +20,5 @@ enum class SurfaceTensionMethod { none, akinci2013, morris2000 };
 enum class ShiftingMethod { none, lind2012, adami2013, sun2017 };
 enum class VorticityMethod { none, bender2017 };
 enum class Drag { none, gissler2017 };
-
-/// Whether a solver solves for the pressure, so that the density stays at rest.
-constexpr bool is_incompressible(SolverName name) { return name >= SolverName::pcisph; }
 
 }  // namespace freshet

@@ -11,6 +11,7 @@
 
 #include "freshet/error.h"
 #include "freshet/methods.h"
+#include "freshet/solver_method.h"
 #include "freshet/time_step.h"
 #include "freshet/vector.h"
 
@@ -180,9 +181,6 @@ struct Scene {
     ShiftingMethod shifting_method = ShiftingMethod::none;
     VorticityMethod vorticity_method = VorticityMethod::none;
     std::optional<double> vorticity_transfer, vorticity_inertia;  // bender2017
-
-    /// Whether the pressure is solved for, so that the density stays what it is.
-    bool incompressible() const { return is_incompressible(name); }
   };
   /// What the liquid flies through.
   struct Air {
@@ -279,6 +277,12 @@ struct Scene {
   std::map<std::string, std::string> places;
 
   int dimension() const { return int(domain.max.size()); }  ///< 2 or 3
+  const SolverMethod& method() const { return method_of(solver.name); }
+  /// Whether the teaching article's own step and constants are used: mueller2003 with
+  /// solver.scheme = "article".
+  bool is_article() const {
+    return method().reads("solver.scheme") && solver.scheme == Scheme::article;
+  }
   /// Fluids that are alike, and what inlets bring, are of one liquid.
   struct Liquid {
     double rest_density, viscosity;

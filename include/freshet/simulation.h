@@ -54,12 +54,32 @@ class Simulation {
   /// Changes gravity from the next step on, one number per dimension [m/s²]. Throws Error (kind
   /// scene) for another count or for infinity and NaN. Checkpoints do not hold it.
   void set_gravity(const Vector& gravity);
-  /// Positions [m] and velocities [m/s] of the fluid, to be written between steps, in the order of
-  /// fluid(), which stays valid. Valid until the next step.
+  /// Positions [m], velocities [m/s] and liquids (numbers of Scene::liquids(); empty for one) of
+  /// the fluid, to be written between steps, in the order of fluid(), which stays valid. Valid
+  /// until the next step.
   struct WritableParticles {
     std::span<Real> x, v;
+    std::span<int> liquid;
   };
   WritableParticles edit_fluid();
+  /// Adds particles between steps, at rest density: D numbers each of positions [m] and velocities
+  /// [m/s] (at rest if empty), of a liquid of Scene::liquids(). Returns the id of the first; the
+  /// others follow. Views of the fluid become invalid. Throws Error (kind scene) for other counts,
+  /// a number that is NaN or infinite, or an unknown liquid.
+  std::uint64_t add_particles(std::span<const Real> x, std::span<const Real> v = {},
+                              int liquid = 0);
+  /// Removes the particles with these ids. Ids are never used again. Views of the fluid become
+  /// invalid. Throws Error (kind scene), and removes nothing, for an unknown or repeated id.
+  void remove_particles(std::span<const std::uint64_t> ids);
+
+  /// When an observer is called: after every `steps` steps or every `seconds` [s] of simulated
+  /// time, and after the first step; `seconds` is used if both are set.
+  struct ObserverSchedule {
+    std::int64_t steps = 1;
+    double seconds = 0;
+  };
+  /// Calls the observer at the end of each step that is due. It must not step the simulation.
+  void observe(ObserverSchedule schedule, std::function<void(const Simulation&)> observer);
 
   const Scene& scene() const;
   std::int64_t steps_done() const;
@@ -72,17 +92,25 @@ class Simulation {
   /// What was doubtful so far, in the order in which it was first seen.
   const std::vector<Warning>& warnings() const;
   /// What bounds the next step, by the present state [s].
-  TimeStepBounds bounds();
+  TimeStepBounds bounds() const;
+  /// Where a mean over time begins: what reflecting walls and flows have seen by now. The default
+  /// Moment is the start.
+  struct Moment {
+    double time;                       ///< [s]
+    std::vector<Vector> impulses;      ///< of the fluid on each reflecting wall [N s; N s/m in 2D]
+    std::vector<std::int64_t> passed;  ///< particles through each inlet, outlet and counter
+  };
+  Moment moment() const;
   /// The force of the fluid on each wall, in the order of Scene::wall_names() [N; N/m in 2D]:
-  /// reflecting walls the mean since the last call, others the present one.
-  std::vector<Vector> wall_forces();
+  /// on reflecting walls the mean since that moment, on others the present force.
+  std::vector<Vector> wall_forces(const Moment& since = Moment()) const;
   /// The force of the fluid on each patch now, over its area, along its axes [Pa; N/m in 2D]: that
   /// on samples of walls and bodies within a support, each for as much of its cell as the patch
   /// covers. Throws Error (kind scene) where a vector has not as many numbers as the domain axes.
-  std::vector<Vector> tractions(const std::vector<WallPatch>& patches);
+  std::vector<Vector> tractions(const std::vector<WallPatch>& patches) const;
   /// What inlets brought, outlets took and counters saw, in the order of Scene::flow_names(); rates
-  /// are the mean since the last call.
-  std::vector<Flow> flows();
+  /// are the mean since that moment.
+  std::vector<Flow> flows(const Moment& since = Moment()) const;
   ParticleView fluid() const;
   /// Where the bodies are, in the order of Scene::body.
   std::vector<BodyState> bodies() const;

@@ -2,7 +2,7 @@
 #pragma once
 #include "boundary/box_walls.h"
 #include "boundary/solid.h"
-#include "core/field.h"
+#include "core/fluid_particles.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
@@ -26,24 +26,29 @@ template <int D> struct Reflector {
 /// shapes, and axes that repeat. It notes the velocity that walls gave, for their force.
 ///
 ///   period      length of each axis that repeats [m], else 0
-///   bounced     per particle and wall, the sum of the velocity changes [m/s]: the low sides of the
-///               domain, its high sides, then each shape; no memory: not noted
+///   bounced     per place of a particle and wall, the sum of the velocity changes, each over the
+///               lightness of its particle [m/s]: the low sides of the domain, its high sides, then
+///               each shape; no memory: not noted
 template <int D> struct Confinement {
   BoxWalls<D> box;
   Vec<D> period;
   Field<Reflector<D>> shapes;
   int shape_count;
   Field<Vec<D, double>> bounced;
+  Liquids liquids;
   int walls() const { return box.sides || shape_count ? 2 + shape_count : 0; }
 
-  FRESHET_HD void operator()(int i, Vec<D>& x, Vec<D>& v) const {
+  /// Moves particle i of f, whose velocity is v.
+  FRESHET_HD void operator()(int i, const FluidParticles<D>& f, Vec<D>& v) const {
+    Vec<D>& x = f.x[i];
+    const double share = bounced.data ? 1 / double(liquids.lightness(f, i)) : 0;
     const Vec<D> before = v;
     if (box.sides) box(x, v);
     if (bounced.data)
       for (int k = 0; k < D; ++k) {
         Vec<D> old = before;
         const Real dv = component(v, k) - component(old, k);
-        component(bounced[i * (2 + shape_count) + (dv < 0)], k) += double(dv);
+        component(bounced[i * (2 + shape_count) + (dv < 0)], k) += share * double(dv);
       }
     for (int s = 0; s < shape_count; ++s) {
       const Vec<D> old = v;
@@ -51,7 +56,7 @@ template <int D> struct Confinement {
       if (bounced.data)
         for (int k = 0; k < D; ++k) {
           Vec<D> dv = v - old;
-          component(bounced[i * (2 + shape_count) + 2 + s], k) += double(component(dv, k));
+          component(bounced[i * (2 + shape_count) + 2 + s], k) += share * double(component(dv, k));
         }
     }
     for (int k = 0; k < D; ++k) wrap(x, k);

@@ -15,8 +15,19 @@ template <int D> struct FluidParticles : Particles<D> {
 
 /// A liquid beside the densest, whose rest density is rho0.
 struct Liquid {
-  Real lightness = 1;  ///< rho0 over its own rest density, >= 1
-  Real nu = 0;         ///< its dynamic viscosity over rho0 [m^2/s]
+  Real lightness = 1;        ///< rho0 over its own rest density, >= 1
+  Real nu = 0;               ///< its dynamic viscosity over rho0 [m^2/s]
+  Real mu = 0;               ///< dynamic viscosity [Pa s]
+  Real sigma = 0;            ///< surface tension [N/m]
+  Real gamma = 0, beta = 0;  ///< of Akinci 2013: cohesion, adhesion [m/s^2]
+};
+
+/// One number of the liquids, by particle. `kind` has no memory where there is one liquid.
+struct PerLiquid {
+  static constexpr int most = 8;
+  Real of[most];
+  Field<int> kind;
+  FRESHET_HD Real operator[](int i) const { return of[kind.data ? kind[i] : 0]; }
 };
 
 /// The liquids of a scene. Several have volumes in common, not masses [Solenthaler and Pajarola
@@ -25,14 +36,21 @@ struct Liquid {
 /// m = rho0 V of the densest, and only what a force comes to at last asks for a particle's liquid:
 /// it accelerates one by its lightness more.
 struct Liquids {
-  static constexpr int most = 8;
+  static constexpr int most = PerLiquid::most;
   Liquid liquid[most];
+  int count = 1;
   FRESHET_HD const Liquid& operator[](int kind) const { return liquid[kind]; }
   template <int D> FRESHET_HD Real lightness(const FluidParticles<D>& f, int i) const {
     return liquid[f.liquid(i)].lightness;
   }
   template <int D> FRESHET_HD Real nu(const FluidParticles<D>& f, int i) const {
     return liquid[f.liquid(i)].nu;
+  }
+  /// `number` of each liquid, by the particles of f.
+  template <int D> PerLiquid each(Real Liquid::*number, const FluidParticles<D>& f) const {
+    PerLiquid table{{}, f.kind};
+    for (int k = 0; k < most; ++k) table.of[k] = liquid[k].*number;
+    return table;
   }
 };
 

@@ -20,7 +20,7 @@ template <int D> class BodyForce {
   explicit BodyForce(const EnginePlan& p)
       : b_(p.body_force),
         varies_(p.body_force_varies),
-        second_order_(!p.incompressible() && p.integrator != Integrator::symplectic_euler) {}
+        second_order_(!p.incompressible && p.integrator != Integrator::symplectic_euler) {}
 
   void set_custom(Custom force) { custom_ = std::move(force); }
 

@@ -128,7 +128,7 @@ template <int D> class CarriedBodies {
 
  private:
   static ForceMoment moment_of(const EnginePlan& p) {
-    if (p.incompressible()) return {p.solver == SolverName::pbf ? 1.0 : 0.0, false};
+    if (p.incompressible) return {p.predicts_places ? 1.0 : 0.0, false};
     const bool leapfrog = p.integrator == Integrator::leapfrog;
     return {leapfrog ? 1 : p.integrator == Integrator::verlet ? 0.5 : 0, leapfrog};
   }

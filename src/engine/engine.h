@@ -36,9 +36,14 @@ class Engine {
   /// The bounds of a step from `time` on, by the state and the accelerations of the last step.
   virtual TimeStepBounds bounds(double time) = 0;
   virtual ParticleView fluid() const = 0;
-  /// The positions and velocities of fluid(), to be written between steps.
+  /// The positions, velocities and numbers of the liquids of fluid(), to be written between steps.
   virtual std::span<Real> positions() = 0;
   virtual std::span<Real> velocities() = 0;
+  virtual std::span<int> kinds() = 0;
+  /// Adds particles at rest density between steps, D numbers each; returns the first one's id.
+  virtual std::uint64_t add(std::span<const Real> x, std::span<const Real> v, int kind) = 0;
+  /// Removes the particles at these places of fluid(), in ascending order.
+  virtual void remove(std::span<const int> places) = 0;
   /// Changes gravity from the next step on [m/s^2].
   virtual void set_gravity(const Triple& gravity) = 0;
   /// Adds to the acceleration of each particle of fluid() at a time [s], D numbers per particle
@@ -46,9 +51,11 @@ class Engine {
   using AddForce = std::function<void(double time, std::span<double> acceleration)>;
   virtual void set_force(AddForce force) = 0;
   virtual std::vector<BodyState> bodies() const = 0;
-  /// The force of the fluid on each wall in the order of Scene::wall_names() [N, N/m in 2D]: on
-  /// reflecting walls the mean over `interval` [s], the time since the last call; on others now.
-  virtual std::vector<Vector> wall_forces(double interval) = 0;
+  /// The present force of the fluid on each wall in the order of Scene::wall_names() [N; N/m in
+  /// 2D], 0 on reflecting walls.
+  virtual std::vector<Vector> wall_forces() = 0;
+  /// The impulse on each reflecting wall since the start [N s; N s/m in 2D], 0 on others.
+  virtual std::vector<Vector> bounce_impulses() = 0;
   /// See Simulation::tractions; `cell` is the width of a boundary particle's share of the wall [m].
   virtual std::vector<Vector> tractions(const std::vector<WallPatch>& patches, double cell) = 0;
   virtual const std::vector<VerbTiming>& timings() const = 0;

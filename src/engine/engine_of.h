@@ -5,6 +5,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <unordered_map>
 
 #include "engine/body_force.h"
 #include "engine/carried_bodies.h"
@@ -27,7 +28,7 @@ template <int D, class B> class EngineOf final : public Engine {
         body_force_(p),
         flows_(p),
         liquids_(liquids_of(p)),
-        iterates_(p.incompressible()),
+        iterates_(p.incompressible),
         h_(Real(p.h)),
         support_(Real(p.support)),
         rho0_(Real(p.rest_density)),
@@ -47,6 +48,7 @@ template <int D, class B> class EngineOf final : public Engine {
 
   Solves step(double time, double dt) override {
     const Tick tick{Real(dt), steps_++};
+    lists_are_stale_ = false;  // the step searches
     // Second-order integrators take half of a body force before and half after [Strang 1968].
     const double before = body_force_.halved() ? dt / 2 : dt;
     if (bodies_) bodies_->begin(walls_, time, dt);
@@ -66,9 +68,7 @@ template <int D, class B> class EngineOf final : public Engine {
   void flow(double time, double dt) override {
     if (!flows_.any()) return;
     const int first = flows_.advance(store_.backend, fluid_, fluid_.kind, time, dt);
-    if (first < 0) return;
-    changed();
-    for (int i = first; i < fluid_.n; ++i) fluid_.rho[i] = rho0_;
+    if (first >= 0) fill_new(first);
   }
   std::vector<std::int64_t> flow_counts() const override { return flows_.counts(); }
   void resize(std::int64_t n) override {
@@ -117,6 +117,28 @@ template <int D, class B> class EngineOf final : public Engine {
   std::span<Real> velocities() override {
     return {reinterpret_cast<Real*>(fluid_.v.data), std::size_t(fluid_.n) * D};
   }
+  std::span<int> kinds() override {
+    return {fluid_.kind.data, fluid_.kind.data ? std::size_t(fluid_.n) : 0};
+  }
+  std::uint64_t add(std::span<const Real> x, std::span<const Real> v, int kind) override {
+    const int n = int(x.size() / D), first = fluid_.n;
+    store_.backend.edit("edit", fluid_, {}, n);
+    const std::uint64_t id = flows_.take_ids(std::uint64_t(n));
+    for (int i = first; i < fluid_.n; ++i) {
+      fluid_.id[i] = id + std::uint64_t(i - first);
+      const auto at = std::size_t(i - first) * D;
+      std::copy_n(x.data() + at, D, positions().data() + std::size_t(i) * D);
+      if (!v.empty()) std::copy_n(v.data() + at, D, velocities().data() + std::size_t(i) * D);
+      if (fluid_.kind.data) fluid_.kind[i] = kind;
+      flows_.enter(fluid_, i);
+    }
+    fill_new(first);
+    return id;
+  }
+  void remove(std::span<const int> places) override {
+    store_.backend.edit("edit", fluid_, places, 0);
+    changed();
+  }
   void set_gravity(const Triple& gravity) override {
     stepper_->set_gravity(vec_of<D, Real>(gravity));
   }
@@ -126,14 +148,20 @@ template <int D, class B> class EngineOf final : public Engine {
   }
   const std::vector<VerbTiming>& timings() const override { return store_.backend.timings(); }
   std::vector<StateArray> state() override { return store_.state.arrays(); }
-  void continue_from(std::int64_t steps) override { steps_ = steps; }
+  void continue_from(std::int64_t steps) override {
+    steps_ = steps;
+    lists_are_stale_ = true;
+  }
 
-  std::vector<Vector> wall_forces(double interval) override {
+  std::vector<Vector> wall_forces() override {
     WallForces<D, B> forces(store_.backend, wall_count_, ghosts_, double(m_));
     add_wall_forces(forces);
-    forces.add_bounces(fluid_, liquids_, stepper_->confinement(), reflector_walls_, interval);
-    std::fill(bounced_.begin(), bounced_.end(), Vec<D, double>{});
     return forces.list();
+  }
+  std::vector<Vector> bounce_impulses() override {
+    WallForces<D, B> impulses(store_.backend, wall_count_, ghosts_, double(m_));
+    impulses.add_bounces(fluid_, stepper_->confinement(), reflector_walls_);
+    return impulses.list();
   }
   std::vector<Vector> tractions(const std::vector<WallPatch>& patches, double cell) override {
     std::vector<PatchOnWall<D>> all;
@@ -176,15 +204,20 @@ template <int D, class B> class EngineOf final : public Engine {
   void make_room_for_bounces() {
     Confinement<D>& c = stepper_->confinement();
     const auto walls = std::size_t(c.walls());
-    const auto n = std::size_t(flows_.change_particles() ? std::max(fluid_.n, 1) : fluid_.n);
+    const auto n = std::size_t(std::max(fluid_.n, 1));
     for (std::size_t k = walls * n; k < bounced_.size(); ++k) bounced_[k % walls] += bounced_[k];
     bounced_.resize(walls * n);
     c.bounced.data = bounced_.empty() ? nullptr : bounced_.data();
   }
-  /// After particles came or went.
+  /// After particles from place `first` on have been added.
+  void fill_new(int first) {
+    changed();
+    for (int i = first; i < fluid_.n; ++i) fluid_.rho[i] = rho0_;
+  }
+  /// After particles have been added or removed.
   void changed() {
     make_room_for_bounces();
-    particles_changed_ = true;
+    lists_are_stale_ = true;
   }
 
   /// The body particles once more, as targets of the fluid's forces.
@@ -225,13 +258,28 @@ template <int D, class B> class EngineOf final : public Engine {
       wall.psi[first + k] = of_bodies.psi[k % of_bodies.n] = psi[std::size_t(k % of_bodies.n)];
   }
 
+  /// Lists neighbours anew. The search sorts the kept fields; rho, p and a are scratch that is read
+  /// between steps, and follow their particles here.
+  void search_between_steps() {
+    B& backend = store_.backend;
+    std::unordered_map<std::uint64_t, int> place;
+    for (int i = 0; i < fluid_.n; ++i) place[fluid_.id[i]] = i;
+    const auto copy = [&](auto field) { return std::vector(field.data, field.data + fluid_.n); };
+    const auto rho = copy(fluid_.rho), p = copy(fluid_.p);
+    const auto a = copy(fluid_.a);
+    backend.find_neighbors("wall forces", support_, fluid_);
+    for (int i = 0; i < fluid_.n; ++i) {
+      const auto from = std::size_t(place[fluid_.id[i]]);
+      fluid_.rho[i] = rho[from];
+      fluid_.p[i] = p[from];
+      fluid_.a[i] = a[from];
+    }
+    backend.share("wall forces", fluid_, fluid_.rho, fluid_.p);
+  }
   /// All forces on walls but bounces.
   void add_wall_forces(WallForces<D, B>& forces) {
     B& backend = store_.backend;
-    if (std::exchange(particles_changed_, false)) {
-      backend.find_neighbors("wall forces", support_, fluid_);
-      backend.share("wall forces", fluid_, fluid_.rho, fluid_.p);
-    }
+    if (std::exchange(lists_are_stale_, false)) search_between_steps();
     Walls<D> walls = walls_;
     walls.akinci2012.moves = walls.adami2012.moves = false;  // sorted since the last search
     for (const Particles<D>* wall : std::initializer_list<const Particles<D>*>{
@@ -258,7 +306,7 @@ template <int D, class B> class EngineOf final : public Engine {
   std::vector<Vec<D, double>> bounced_, bounced_before_;
   std::vector<int> reflector_walls_;   // their numbers
   mutable std::vector<Real> density_;  // of several liquids
-  bool particles_changed_ = false;     // since the last search
+  bool lists_are_stale_ = false;       // the particles are others than at the last search
   std::int64_t steps_ = 0;
 };
 

@@ -47,8 +47,8 @@ template <int D> class Flows {
   }
   /// visit(name, data, count) of what else has to be remembered, 64-bit numbers.
   template <class Visit> void numbers(Visit visit) {
-    if (inlets_.empty() && counts_.empty()) return;
     visit("flows/next_id", &next_id_, std::size_t(1));
+    if (inlets_.empty() && counts_.empty()) return;
     visit("flows/counts", counts_.data(), counts_.size());
     for (std::size_t k = 0; k < inlets_.size(); ++k) {
       const std::string at = "flows/inlet_" + std::to_string(k);
@@ -70,6 +70,13 @@ template <int D> class Flows {
   void begin(const Particles<D>& f) {
     next_id_ = std::uint64_t(f.n);
     for (int i = 0; i < f.n && !counters_.empty(); ++i) x_counted_[i] = f.x[i];
+  }
+  /// The first of n ids that no particle has had.
+  std::uint64_t take_ids(std::uint64_t n) { return std::exchange(next_id_, next_id_ + n); }
+  /// A particle at this place is new, and free.
+  void enter(const Particles<D>& f, int i) {
+    if (held_.data) held_[i] = 0;
+    if (x_counted_.data) x_counted_[i] = f.x[i];
   }
   /// The time is now `time`, dt after the last. Returns the place of the first particle that is
   /// new, which has its id, x, v and kind, and zeros; -1 where none came or went.

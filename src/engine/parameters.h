@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "engine/plan.h"
+#include "forces/force.h"
 #include "kernels/scene_kernel.h"
-#include "solvers/forces.h"
 #include "solvers/incompressible.h"
 #include "solvers/mueller2003.h"
 #include "solvers/weakly_compressible.h"
@@ -27,28 +27,37 @@ template <int D> SceneKernel<D> kernel_of(const EnginePlan& p) {
   return SceneKernel<D>(Real(p.support), p.kernel);
 }
 
+inline Liquids liquids_of(const EnginePlan& p) {
+  Liquids liquids{};
+  for (Liquid& liquid : liquids.liquid) liquid.nu = Real(p.viscosity / p.rest_density);
+  liquids.count = int(std::min(p.liquids.size(), std::size(liquids.liquid)));
+  for (int k = 0; k < liquids.count; ++k) {
+    const LiquidPlan& liquid = p.liquids[std::size_t(k)];
+    liquids.liquid[k] = {Real(p.rest_density / liquid.rest_density),
+                         Real(liquid.viscosity / p.rest_density),
+                         Real(liquid.viscosity),
+                         Real(liquid.surface_tension),
+                         Real(liquid.cohesion),
+                         Real(liquid.adhesion)};
+  }
+  return liquids;
+}
+
 /// The memory of shapes and bounces is the engine's.
 template <int D> Confinement<D> confinement(const EnginePlan& p) {
   Confinement<D> c{};
   c.box = {vec_of<D, Real>(p.min), vec_of<D, Real>(p.max), Real(p.restitution), p.reflecting_sides,
            p.article};
+  c.liquids = liquids_of(p);
   for (int k = 0; k < D; ++k)
     if (p.periodic[std::size_t(k)])
       component(c.period, k) = Real(p.max[std::size_t(k)] - p.min[std::size_t(k)]);
   return c;
 }
 
-inline Liquids liquids_of(const EnginePlan& p) {
-  Liquids liquids{};
-  for (Liquid& liquid : liquids.liquid) liquid = {1, Real(p.viscosity / p.rest_density)};
-  for (std::size_t k = 0; k < std::min(p.liquids.size(), std::size(liquids.liquid)); ++k)
-    liquids.liquid[k] = {Real(p.rest_density / p.liquids[k].rest_density),
-                         Real(p.liquids[k].viscosity / p.rest_density)};
-  return liquids;
-}
-
-template <int D> Mueller2003Parameters<D> mueller2003_parameters(const EnginePlan& p) {
-  Mueller2003Parameters<D> c{};
+/// The symbols of a solver: the second argument says which parameters are asked for.
+template <int D>
+Mueller2003Parameters<D> parameters_of(const EnginePlan& p, Mueller2003Parameters<D> c) {
   c.h = Real(p.support);
   c.m = Real(p.mass);
   c.m_density = Real(p.mass / p.lattice_sum);
@@ -66,8 +75,8 @@ template <int D> Mueller2003Parameters<D> mueller2003_parameters(const EnginePla
 }
 
 template <int D>
-WeaklyCompressibleParameters<D> weakly_compressible_parameters(const EnginePlan& p) {
-  WeaklyCompressibleParameters<D> c{};
+WeaklyCompressibleParameters<D> parameters_of(const EnginePlan& p,
+                                              WeaklyCompressibleParameters<D> c) {
   c.support = Real(p.support);
   c.h = Real(p.support / 2);
   c.m = Real(p.mass);
@@ -86,8 +95,8 @@ WeaklyCompressibleParameters<D> weakly_compressible_parameters(const EnginePlan&
   return c;
 }
 
-template <int D> IncompressibleParameters<D> incompressible_parameters(const EnginePlan& p) {
-  IncompressibleParameters<D> c{};
+template <int D>
+IncompressibleParameters<D> parameters_of(const EnginePlan& p, IncompressibleParameters<D> c) {
   c.support = Real(p.support);
   c.h = Real(p.support / 2);
   c.m = Real(p.mass);
@@ -123,20 +132,12 @@ template <int D> ForceParameters<D> force_parameters(const EnginePlan& p) {
   c.spacing = Real(p.spacing);
   c.m = Real(p.mass);
   c.rho0 = Real(p.rest_density);
-  c.liquids = int(std::min(p.liquids.size(), std::size_t(PerLiquid::most)));
-  for (int k = 0; k < c.liquids; ++k) {
-    const LiquidPlan& liquid = p.liquids[std::size_t(k)];
-    c.lightness.of[k] = Real(p.rest_density / liquid.rest_density);
-    c.mu.of[k] = Real(liquid.viscosity);
-    c.sigma.of[k] = Real(liquid.surface_tension);
-    c.gamma.of[k] = Real(liquid.cohesion);
-    c.beta.of[k] = Real(liquid.adhesion);
-  }
+  c.liquids = liquids_of(p);
   c.nu_t = Real(f.vorticity_transfer);
   c.Theta = Real(f.vorticity_inertia);
   c.implicit = f.implicit;
   c.air = {Real(f.air_density), Real(f.air_viscosity), vec_of<D, Real>(f.air_velocity)};
-  c.c0 = Real(p.incompressible() ? 0 : p.sound_speed);
+  c.c0 = Real(p.incompressible ? 0 : p.sound_speed);
   c.W_spacing = Real(f.W_spacing);
   c.neighbors_inside = Real(f.neighbors);
   c.depth = Real(f.mean_depth);

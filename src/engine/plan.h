@@ -61,7 +61,8 @@ struct ForcesPlan {
   ViscosityMethod viscosity = ViscosityMethod::artificial;  ///< artificial: none of these forces
   SurfaceTensionMethod tension = SurfaceTensionMethod::none;
   ShiftingMethod shifting = ShiftingMethod::none;
-  bool vorticity = false, drag = false;
+  VorticityMethod vorticity = VorticityMethod::none;
+  Drag drag = Drag::none;
   double vorticity_transfer = 0, vorticity_inertia = 0;  ///< nu_t, Theta of Bender 2017
   Iterations implicit{};                                 ///< of Weiler 2018
   double air_density = 0, air_viscosity = 0;
@@ -72,13 +73,16 @@ struct ForcesPlan {
   bool no_walls = false;  ///< nothing holds the fluid
   bool any() const {
     return viscosity != ViscosityMethod::artificial || tension != SurfaceTensionMethod::none ||
-           shifting != ShiftingMethod::none || vorticity || drag;
+           shifting != ShiftingMethod::none || vorticity != VorticityMethod::none ||
+           drag != Drag::none;
   }
 };
 
 struct EnginePlan {
   int dimension = 2, threads = 1;
   SolverName solver = SolverName::mueller2003;
+  bool incompressible = false;   ///< solves for the pressure
+  bool predicts_places = false;  ///< moves the particles before it solves
   KernelName kernel = KernelName::cubic_spline;
   Integrator integrator = Integrator::leapfrog;
   Search search = Search::grid;
@@ -139,8 +143,6 @@ struct EnginePlan {
 
   ForcesPlan forces;
   Sample sample;
-
-  bool incompressible() const { return is_incompressible(solver); }
 };
 
 }  // namespace freshet

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Puts a solver with its kernel behind the Stepper interface.
 #pragma once
+#include <type_traits>
 #include <utility>
 
 #include "engine/parameters.h"
@@ -77,33 +78,31 @@ auto with_kernel(const EnginePlan& p, const F& f) {
   }
 }
 
-// The families of solvers.
-
+/// A solver with kernels of its own.
 template <int D, class B, bool fast, template <int D_, Backend<D_>> class Solver>
-std::unique_ptr<Stepper<D, B>> mueller2003_stepper(const EnginePlan& plan) {
-  const Solver<D, B> solver{mueller2003_parameters<D>(plan)};
+std::unique_ptr<Stepper<D, B>> make_stepper_of(const EnginePlan& plan) {
+  const Solver<D, B> solver{parameters_of(plan, decltype(Solver<D, B>::c){})};
   return stepper_of<D, B>(solver, MirrorTerms<Solver<D, B>>{solver});
 }
 
+/// A solver with the scene's kernel. Those for the pressure are slow to compile: they have two fast
+/// kernels each.
 template <int D, class B, bool fast,
           template <int D_, Backend<D_>, template <int> class> class Solver>
-std::unique_ptr<Stepper<D, B>> weakly_compressible_stepper(const EnginePlan& plan) {
-  const auto c = weakly_compressible_parameters<D>(plan);
-  const WeaklyCompressibleTerms<Solver<D, B, SceneKernel>> on_walls{{c, kernel_of<D>(plan)}};
-  return with_kernel<D, fast, true>(plan, [&]<template <int> class Kernel>(const Kernel<D>& W) {
-    return stepper_of<D, B>(Solver<D, B, Kernel>{c, W}, on_walls);
-  });
-}
-
-/// Two fast kernels each, as these solvers are slow to compile.
-template <int D, class B, bool fast,
-          template <int D_, Backend<D_>, template <int> class> class Solver>
-std::unique_ptr<Stepper<D, B>> incompressible_stepper(const EnginePlan& plan) {
-  const auto c = incompressible_parameters<D>(plan);
-  const IncompressibleTerms<D, B> on_walls{c, kernel_of<D>(plan)};
-  return with_kernel<D, fast, false>(plan, [&]<template <int> class Kernel>(const Kernel<D>& W) {
-    return stepper_of<D, B>(Solver<D, B, Kernel>{{c, W}}, on_walls);
-  });
+std::unique_ptr<Stepper<D, B>> make_stepper_of(const EnginePlan& plan) {
+  using Parameters = decltype(Solver<D, B, SceneKernel>::c);
+  constexpr bool incompressible = std::is_same_v<Parameters, IncompressibleParameters<D>>;
+  const Parameters c = parameters_of(plan, Parameters{});
+  const auto on_walls = [&] {
+    if constexpr (incompressible) return IncompressibleTerms<D, B>{c, kernel_of<D>(plan)};
+    else return WeaklyCompressibleTerms<Solver<D, B, SceneKernel>>{{c, kernel_of<D>(plan)}};
+  }();
+  return with_kernel<D, fast, !incompressible>(
+      plan, [&]<template <int> class Kernel>(const Kernel<D>& W) {
+        if constexpr (incompressible)
+          return stepper_of<D, B>(Solver<D, B, Kernel>{{c, W}}, on_walls);
+        else return stepper_of<D, B>(Solver<D, B, Kernel>{c, W}, on_walls);
+      });
 }
 
 }  // namespace FRESHET_ISA

@@ -3,7 +3,6 @@
 /// that a checkpoint holds. Compiled once per backend and dimension.
 #pragma once
 #include <algorithm>
-#include <bit>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -21,10 +20,7 @@ template <int D, class B> class Store final : public FieldMaker<D> {
  public:
   /// Adds the fluid as a set; its fields follow.
   Store(B b, const EnginePlan& p, FluidParticles<D>& fluid)
-      : backend(std::move(b)),
-        fluid_(fluid),
-        edited_(!p.inlets.empty() || !p.outlets.empty()),
-        liquids_(liquids_of(p)) {
+      : backend(std::move(b)), fluid_(fluid), liquids_(liquids_of(p)) {
     backend.add_set(fluid_, int(p.sample.x.size() / D), copy_rules(p));
   }
 
@@ -84,8 +80,7 @@ template <int D, class B> class Store final : public FieldMaker<D> {
     using Role = StateArray::Role;
     const bool fluid = set.set == fluid_.set, kept = keep == Keep::kept;
     const bool shown = fluid && shown_between_steps(name);
-    // Where particles come and go, forces on walls may need a search between steps, which sorts.
-    backend.allocate(set, shown && edited_ ? Keep::kept : keep, field);
+    backend.allocate(set, keep, field);
     if (set.moves && field.data == static_cast<void*>(set.x.data)) return;  // as bodies have it
     if (kept || shown)
       state.add(
@@ -137,7 +132,6 @@ template <int D, class B> class Store final : public FieldMaker<D> {
   }
 
   FluidParticles<D>& fluid_;
-  bool edited_;  // particles come and go
   Liquids liquids_;
 };
 

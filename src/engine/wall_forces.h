@@ -63,9 +63,9 @@ template <int D, class B> class WallForces {
       add_stored_ghost(f, ghosts_.wall_of_rule[rule]);
     }
   }
-  /// On reflecting walls: against the velocities that they gave in this time.
-  void add_bounces(const FluidParticles<D>& f, const Liquids& liquids, const Confinement<D>& c,
-                   const std::vector<int>& shapes, double interval);
+  /// The impulse on reflecting walls: against the changes of velocity that they made.
+  void add_bounces(const FluidParticles<D>& f, const Confinement<D>& c,
+                   const std::vector<int>& shapes);
 
  private:
   void add_stored(const WallParticles<D>& wall);

@@ -49,16 +49,15 @@ template <int D, class B> void WallForces<D, B>::add_stored_ghost(const Particle
 }
 
 template <int D, class B>
-void WallForces<D, B>::add_bounces(const FluidParticles<D>& f, const Liquids& liquids,
-                                   const Confinement<D>& c, const std::vector<int>& shapes,
-                                   double interval) {
+void WallForces<D, B>::add_bounces(const FluidParticles<D>& f, const Confinement<D>& c,
+                                   const std::vector<int>& shapes) {
   const int walls = c.walls();
-  if (!c.bounced.data || !(interval > 0)) return;
+  if (!c.bounced.data) return;
   const auto bounced = c.bounced;
   const auto total = [&](int wall, int d) {
-    return -m_ / interval * backend_.sum("wall forces", f, [=](int i) {
+    return -m_ * backend_.sum("wall forces", f, [=](int i) {
       Vec<D, double> dv = bounced[i * walls + wall];
-      return component(dv, d) / double(liquids.lightness(f, i));
+      return component(dv, d);
     });
   };
   for (int d = 0; d < D; ++d) {

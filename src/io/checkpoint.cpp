@@ -15,10 +15,10 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/sha256.h"
 #include "freshet/error.h"
 #include "freshet/version.h"
 #include "io/hdf5.h"
-#include "core/sha256.h"
 
 namespace freshet {
 
@@ -34,17 +34,18 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WatchRecord::Densest, id, x, value)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WatchRecord, warnings, tracks, steps_watched, first_step,
                                    first_compression, first_bound, first_densest, not_converged)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Flow, kind, name, particles, volume, rate, waiting)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunRecord, scene_name, frames, data_times, seconds, observables,
-                                   wall_forces, flows, observed_step, frame_step, data_step,
-                                   scheduled_frames, scheduled_data, scheduled_observables, probes,
-                                   scheduled_probes, bodies, scheduled_bodies, bodies_step)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TableRecord, header, bytes, scheduled, sha256, scheduled_sha256)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeriesRecord, times, scheduled)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Simulation::Moment, time, impulses, passed)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunRecord, scene_name, seconds, observed, wall_forces, flows,
+                                   tables, series, written)
 
 namespace {
 
 using JsonHeader = nlohmann::json;
 
 // The format changes with whatever makes an older program misread a newer file, or the reverse.
-constexpr int format = 3;
+constexpr int format = 4;
 constexpr std::string_view magic = "Freshet checkpoint\n";
 constexpr std::size_t block = 512;  // HDF5 looks for itself at 0, 512, 1024 ...
 const std::string no_digest(64, '0');
@@ -122,9 +123,7 @@ JsonHeader json_of(const RunCheckpoint& c) {
                       {"number", number_words[int(a.number)]}});
   return {{"steps", c.steps},
           {"time", c.time},
-          {"forces_asked", c.forces_asked},
-          {"flows_asked", c.flows_asked},
-          {"flowed", c.flowed},
+          {"edited", c.edited},
           {"walls_sha256", c.walls_sha256},
           {"time_steps", c.time_steps},
           {"solves", finite(c.solves)},
@@ -137,9 +136,7 @@ JsonHeader json_of(const RunCheckpoint& c) {
 void read_json(const JsonHeader& json, RunCheckpoint& c) {
   json.at("steps").get_to(c.steps);
   json.at("time").get_to(c.time);
-  json.at("forces_asked").get_to(c.forces_asked);
-  json.at("flows_asked").get_to(c.flows_asked);
-  json.at("flowed").get_to(c.flowed);
+  json.at("edited").get_to(c.edited);
   json.at("walls_sha256").get_to(c.walls_sha256);
   json.at("time_steps").get_to(c.time_steps);
   json.at("solves").get_to(c.solves);

@@ -1,36 +1,44 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "freshet/checkpoint.h"
+#include "freshet/simulation.h"
 #include "freshet/vector.h"
 
 namespace freshet {
 
+/// A table that grows in the folder of a run. `scheduled` excludes rows that only the end of the
+/// run had asked for: a prolonged run has none of them.
+struct TableRecord {
+  std::string header;  ///< the line of column names
+  std::size_t bytes = 0, scheduled = 0;
+  std::string sha256, scheduled_sha256;  ///< of so many bytes
+  bool operator==(const TableRecord&) const = default;
+};
+
+/// A series of numbered files; `scheduled` as in a table.
+struct SeriesRecord {
+  std::vector<double> times;  ///< [s]
+  std::size_t scheduled = 0;
+  bool operator==(const SeriesRecord&) const = default;
+};
+
 /// The state of the outputs of a run.
 struct RunRecord {
-  std::string scene_name;           ///< for report.json
-  std::int64_t frames = 0;          ///< pictures
-  std::vector<double> data_times;   ///< of data files [s]
-  double seconds = 0;               ///< that steps took
-  std::string observables;          ///< observables.csv so far
-  std::vector<std::string> probes;  ///< the tables of the probes so far
-  std::vector<Vector> wall_forces;  ///< as last observed
-  std::vector<Flow> flows;          ///< the same
-  std::string bodies;               ///< bodies.csv so far
-  /// After which step each was last written.
-  std::int64_t observed_step = -1, frame_step = -1, data_step = -1;
-  /// What the schedule alone has brought; the rest was the end's, which a longer run does not have.
-  std::int64_t scheduled_frames = 0;
-  std::size_t scheduled_data = 0;
-  std::size_t scheduled_observables = 0;      ///< bytes
-  std::vector<std::size_t> scheduled_probes;  ///< bytes
-  std::size_t scheduled_bodies = 0;
-  std::int64_t bodies_step = -1;
+  std::string scene_name;                       ///< for report.json
+  Simulation::Moment observed{};                  ///< when wall_forces and flows were last observed
+  double seconds = 0;                           ///< that steps took
+  std::vector<Vector> wall_forces;              ///< as last observed
+  std::vector<Flow> flows;                      ///< as last observed
+  std::map<std::string, TableRecord> tables;    ///< by file name
+  std::map<std::string, SeriesRecord> series;   ///< by output
+  std::map<std::string, std::int64_t> written;  ///< by output: the step after which it last wrote
 };
 
 /// A checkpoint of a simulation, with the state of the outputs of its run.

@@ -14,7 +14,6 @@
 #include "freshet/error.h"
 #include "freshet/version.h"
 #include "io/files.h"
-#include "core/sha256.h"
 
 namespace freshet {
 namespace {
@@ -82,16 +81,12 @@ FolderLock::~FolderLock() {
   if (fd_ >= 0) ::close(fd_);
 }
 
-RunFolder::RunFolder(const fs::path& folder, Take take, std::vector<std::string> planned,
-                     Provenance provenance)
-    : RunFolder(FolderLock(made(folder)), take, std::move(planned), std::move(provenance)) {}
+FolderLock FolderLock::of_new(const fs::path& folder) { return FolderLock(made(folder)); }
 
-RunFolder::RunFolder(FolderLock lock, Take take, std::vector<std::string> planned,
-                     Provenance provenance)
-    : lock_(std::move(lock)),
-      planned_(planned.begin(), planned.end()),
-      provenance_(std::move(provenance)) {
-  clear(take);
+void RunFolder::take(Take how, const std::vector<std::string>& planned, Provenance provenance) {
+  planned_ = {planned.begin(), planned.end()};
+  provenance_ = std::move(provenance);
+  clear(how);
   make_places(planned);
   write_manifest("running", planned_);
 }
@@ -135,6 +130,37 @@ void RunFolder::write_more(const std::string& file, std::string_view bytes) {
   make_places({file});
   if (planned_.insert(file).second) write_manifest("running", planned_);
   write(file, bytes);
+}
+
+void RunFolder::append(const std::string& file, std::string_view bytes) {
+  Growing& growing = growing_[file];
+  append_file(path() / file, growing.bytes, bytes);
+  growing.bytes += bytes.size();
+  growing.sha.add(bytes.data(), bytes.size());
+  written_[file] = {growing.bytes, appended_sha256(file, growing.bytes)};
+}
+
+std::string RunFolder::appended_sha256(const std::string& file, std::size_t bytes) const {
+  const auto it = growing_.find(file);
+  if (it != growing_.end() && it->second.bytes == bytes) return Sha256(it->second.sha).hex();
+  return digest_of(std::string_view(read_whole(path() / file)).substr(0, bytes));
+}
+
+bool RunFolder::continue_file(const std::string& file, std::size_t bytes,
+                              const std::string& sha256) {
+  if (!fs::exists(path() / file)) return false;
+  const std::string there = read_whole(path() / file);
+  if (there.size() < bytes || digest_of(std::string_view(there).substr(0, bytes)) != sha256)
+    throw Error(Error::Kind::run, (path() / file).string(),
+                "this table was changed after the run wrote it; put it back, or move it away and "
+                "resume without its earlier rows");
+  growing_.erase(file);
+  Growing& growing = growing_[file];
+  growing.bytes = bytes;
+  growing.sha.add(there.data(), bytes);
+  append_file(path() / file, bytes, "");
+  written_[file] = {bytes, appended_sha256(file, bytes)};
+  return true;
 }
 
 void RunFolder::remove(const std::string& file) {

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/sha256.h"
+
 namespace freshet {
 
 /// Who made a run, for its manifest.
@@ -23,6 +25,8 @@ class FolderLock {
   /// Throws Error (kind scene) if another run writes into it, (kind run) if there is no such
   /// folder.
   explicit FolderLock(std::filesystem::path folder);
+  /// Of a folder that is made where it is missing.
+  static FolderLock of_new(const std::filesystem::path& folder);
   FolderLock(FolderLock&& o) noexcept
       : folder_(std::move(o.folder_)), fd_(std::exchange(o.fd_, -1)) {}
   FolderLock& operator=(FolderLock&&) = delete;
@@ -40,16 +44,22 @@ class RunFolder {
  public:
   enum class Take { empty, overwrite, resume };
 
-  /// Takes the folder over, which is made unless a run goes on in it. `planned` are files that the
-  /// run may write. Throws Error: see freshet::run and freshet::resume.
-  RunFolder(const std::filesystem::path& folder, Take take, std::vector<std::string> planned,
-            Provenance provenance);
-  RunFolder(FolderLock lock, Take take, std::vector<std::string> planned, Provenance provenance);
+  explicit RunFolder(FolderLock lock) : lock_(std::move(lock)) {}
+  /// Takes the folder over before the first write. `planned` are files that the run may write.
+  /// Throws Error: see freshet::run and freshet::resume.
+  void take(Take take, const std::vector<std::string>& planned, Provenance provenance);
 
   const std::filesystem::path& path() const { return lock_.folder(); }
   void write(const std::string& file, std::string_view bytes);
   /// The same of a file that was not planned.
   void write_more(const std::string& file, std::string_view bytes);
+  /// Adds bytes at the end of a planned file, which the first call makes.
+  void append(const std::string& file, std::string_view bytes);
+  /// SHA-256 of the first `bytes` bytes that append has written.
+  std::string appended_sha256(const std::string& file, std::size_t bytes) const;
+  /// Resumes a file of append: its first `bytes` bytes stay if they have that digest. False if the
+  /// file is missing. Throws Error (kind run) if it begins otherwise.
+  bool continue_file(const std::string& file, std::size_t bytes, const std::string& sha256);
   void remove(const std::string& file);
   /// The last word of the manifest: the files that are there, with their sizes and digests.
   void finish(std::string_view state);
@@ -61,6 +71,10 @@ class RunFolder {
     std::size_t bytes;
     std::string sha256;
   };
+  struct Growing {
+    std::size_t bytes = 0;
+    Sha256 sha;
+  };
   void clear(Take take);
   void make_places(const std::vector<std::string>& files) const;
   void write_manifest(std::string_view state, const std::set<std::string>& files) const;
@@ -69,6 +83,7 @@ class RunFolder {
   std::set<std::string> planned_;
   Provenance provenance_;
   std::map<std::string, Written> written_;
+  std::map<std::string, Growing> growing_;
   std::string earlier_state_;
 };
 

@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "core/field.h"
+#include "core/fluid_particles.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
-
-/// A number that belongs to a particle's liquid. `kind` has no memory where there is one liquid.
-struct PerLiquid {
-  static constexpr int most = 8;
-  Real of[most];
-  Field<int> kind;
-  FRESHET_HD Real operator[](int i) const { return of[kind.data ? kind[i] : 0]; }
-};
 
 /// mu_ij = 2 mu_i mu_j/(mu_i + mu_j): of equal stress on both sides [Cleary and Monaghan 1999]
 template <class R> FRESHET_HD R shared_viscosity(R mu_i, R mu_j) {

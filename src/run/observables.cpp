@@ -24,9 +24,7 @@ std::string quoted(const std::string& name) {
 /// The solves of a step, by their solver and in its order: a table has their columns before the
 /// first of them is done.
 std::vector<std::string> solve_names(const Scene& s) {
-  std::vector<std::string> names;
-  if (s.solver.name == SolverName::dfsph) names.push_back("divergence");
-  if (s.solver.incompressible()) names.push_back("density");
+  std::vector<std::string> names(s.method().solves.begin(), s.method().solves.end());
   if (s.viscosity_method() == ViscosityMethod::weiler2018) names.push_back("viscosity");
   return names;
 }
@@ -67,7 +65,7 @@ std::string observables_header(const Scene& s) {
   return line + "\n";
 }
 
-std::string observables_line(Simulation& s, const std::vector<Vector>& wall_forces,
+std::string observables_line(const Simulation& s, const std::vector<Vector>& wall_forces,
                              const std::vector<Flow>& flows) {
   const Statistics t = s.statistics();
   const TimeSteps& steps = s.time_steps();

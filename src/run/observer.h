@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-/// What a run leaves behind, written while it goes on.
 #pragma once
 #include <chrono>
 #include <deque>
@@ -8,60 +7,55 @@
 #include "freshet/run.h"
 #include "io/checkpoint.h"
 #include "io/run_folder.h"
-#include "io/video.h"
 #include "run/background.h"
+#include "run/output.h"
+#include "run/tables.h"
 #include "scene/model/inputs.h"
 #include "scene/model/schedule.h"
-#include "sim/probes.h"
 
 namespace freshet {
 
-/// Copies what is to be written after a step, and lets a thread of its own draw, encode and write.
+/// Writes the files of a run: asks each output after each step, keeps checkpoints, and ends the run
+/// with its result, report and manifest. A thread of its own draws, encodes and writes.
 class Observer {
  public:
   /// A run from its start.
   Observer(Simulation& sim, const RunOptions& options);
-  /// A run that goes on; `record` is what the checkpoint remembers.
+  /// A resumed run; `record` is that of its checkpoint.
   Observer(Simulation& sim, const ResumeOptions& options, FolderLock lock, RunRecord record);
 
   /// `seconds`: what steps have taken so far.
   void after_step(double seconds);
-  /// A checkpoint of now, unless there is one.
+  /// Writes a checkpoint of this moment, unless there is one.
   void save();
-  /// The last files. Completes the report.
+  /// Writes the last files. Completes the report.
   void finish(Report& report);
-  /// After a failure: a picture of the moment, and the manifest's last word. Returns in words what
-  /// there is to look at and to go on from.
+  /// After a failure: writes a picture of the moment and closes the manifest. Returns a message
+  /// that names the picture and the checkpoint to resume from.
   std::string fail();
 
   const RunRecord& record() const { return record_; }
 
  private:
   using Clock = std::chrono::steady_clock;
-  void after_last_step();
-  void observe();
-  void probe(const StepTaken& step);
-  void draw_frame();
-  void film();
-  void write_data();
-  void write_observables();
+  Observer(Simulation& sim, FolderLock lock, RunRecord record, Inputs inputs,
+           const std::optional<VideoOptions>& video);
+  std::vector<std::string> planned_files() const;
+  void write(Output& output, const StepTaken& step);
   void remember_scheduled();
-  void note_bodies();
 
   Simulation& sim_;
   Schedule schedule_;
   RunRecord record_;
-  Probes probes_;
-  Inputs inputs_;     // read before the folder is cleared, where they may lie
-  RunFolder folder_;  // the background's, until it has come to rest
-  std::optional<VideoOptions> video_;
-  std::optional<Video> film_;
-  std::int64_t filmed_ = 0;
+  Inputs inputs_;      // read before the folder is cleared, where they may lie
+  RunFolder folder_;   // belongs to the background thread, until it has come to rest
   double before_ = 0;  // the last step [s]
   std::int64_t saved_ = -1;
   Clock::time_point saved_at_ = Clock::now();
   std::deque<std::string> checkpoints_;
-  Background background_{2};  // last: its jobs use the others
+  Background background_{2};
+  Tables tables_;
+  std::vector<std::unique_ptr<Output>> outputs_;
 };
 
 }  // namespace freshet

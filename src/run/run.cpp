@@ -33,7 +33,7 @@ Report report_of(const Simulation& sim, const RunRecord& record) {
   r.scene = record.scene_name;
   r.title = sim.scene().title;
   r.backend = backend_words[int(sim.scene().solver.backend)];
-  r.solver = solver_words[int(sim.scene().solver.name)];
+  r.solver = sim.scene().method().name;
   r.steps = sim.steps_done();
   r.time = sim.time();
   r.seconds = record.seconds;

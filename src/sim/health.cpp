@@ -114,8 +114,9 @@ void Health::look(const Moment& now, const ParticleView& fluid,
   // A body force, a surface, the wind and walls that slide make any speed and energy.
   const bool slides = std::any_of(scene_.wall.begin(), scene_.wall.end(),
                                   [](const Scene::Wall& wall) { return !wall.velocity.empty(); });
-  const bool driven = intervened_ || !scene_.domain.body_force.empty() || scene_.air.drag != Drag::none ||
-                      slides || scene_.solver.surface_tension_method != SurfaceTensionMethod::none;
+  const bool driven = intervened_ || !scene_.domain.body_force.empty() ||
+                      scene_.air.drag != Drag::none || slides ||
+                      scene_.solver.surface_tension_method != SurfaceTensionMethod::none;
   const auto has = [this](BodyMotion motion) {
     return std::any_of(scene_.body.begin(), scene_.body.end(),
                        [=](const Scene::Body& body) { return body.motion == motion; });
@@ -233,18 +234,18 @@ void Health::judge_energy() {
   static constexpr Rule keeps{"energy", 0.5, 10, true, true};
   static constexpr Rule boils{"energy", 0.5, 10, false, true};
   if (falls_for_ever(scene_) || !(derived_.sound_speed > 0)) return;
-  const bool mueller = scene_.solver.name == SolverName::mueller2003;
+  const bool linear = scene_.method().pressure == PressureFamily::linear;
   const double made = now_.kinetic + now_.potential - start_energy_;
   const double share = made / energy_available();
-  judge(mueller ? boils : keeps, share, [&] {
+  judge(linear ? boils : keeps, share, [&] {
     return fmt::format(
         "{:.4g} J/kg of energy came from nowhere, {:.3g} times what could become motion, {}; {}; "
         "{}",
         made, share, when(), fastest(now_),
-        cause(mueller ? "the scheme of mueller2003 does not keep energy where little viscosity "
-                        "takes it up; make fluid.viscosity larger, or choose wcsph or delta_sph as "
-                        "solver.name"
-                      : came_too_close()));
+        cause(linear ? "the scheme of mueller2003 does not keep energy where little viscosity "
+                       "takes it up; make fluid.viscosity larger, or choose wcsph or delta_sph as "
+                       "solver.name"
+                     : came_too_close()));
   });
 }
 
@@ -287,8 +288,7 @@ void Health::fail_for_lost() const {
 }
 
 void Health::fail_for_step(const Moment& now, const TimeStepBounds& bounds) const {
-  const bool weakly =
-      scene_.solver.name != SolverName::mueller2003 && !scene_.solver.incompressible();
+  const bool weakly = scene_.method().weakly_compressible();
   const bool from_the_start = !(derived_.step_bound() > least_step());
   const std::string bound = bounds.ruling();
   std::string why = "the run has blown up; " + cause(came_too_close());

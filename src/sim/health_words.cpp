@@ -32,26 +32,26 @@ std::string Health::fastest(const Look& look) const {
 
 /// What speeds are compared with. Without sound a tenth of the nominal one: see Derived.
 const char* Health::reference() const {
-  return scene_.solver.incompressible() ? "the start or a fall through the domain" : "sound";
+  return scene_.method().incompressible() ? "the start or a fall through the domain" : "sound";
 }
 double Health::times_reference(double speed) const {
-  return speed / derived_.sound_speed * (scene_.solver.incompressible() ? 10 : 1);
+  return speed / derived_.sound_speed * (scene_.method().incompressible() ? 10 : 1);
 }
 
 /// What to do where the pressure does not keep the density of a flow as fast as `speed` [m/s].
 std::string Health::too_soft(double speed) const {
-  if (scene_.solver.incompressible())
+  if (scene_.method().incompressible())
     return fmt::format(
         "the pressure does not hold the fluid: the time step is too long, or the iterations too "
         "few; make {} or solver.density_tolerance smaller, or solver.max_iterations larger",
         step_key());
-  const bool mueller = scene_.solver.name == SolverName::mueller2003;
+  const bool linear = scene_.method().pressure == PressureFamily::linear;
   const double needed = 10 * speed;
   return fmt::format(
       "the fluid is too soft: sound goes at {:.3g} m/s, and should at ten times the fastest flow, "
       "{:.3g} m/s; make {} at least {:.4g}",
-      derived_.sound_speed, speed, mueller ? "solver.stiffness" : "solver.sound_speed",
-      mueller ? needed * needed : needed);
+      derived_.sound_speed, speed, linear ? "solver.stiffness" : "solver.sound_speed",
+      linear ? needed * needed : needed);
 }
 
 std::string Health::came_too_close() const {
@@ -107,7 +107,7 @@ std::string Health::cause(const std::string& otherwise) const {
   if (!scene_.time.adaptive && scene_.time.step > longest)
     return fmt::format("time.step, {:.4g} s, is over its bound, {:.4g} s; make it smaller",
                        scene_.time.step, longest);
-  if (!scene_.solver.incompressible() && derived_.sound_speed < 5 * reference_speed())
+  if (!scene_.method().incompressible() && derived_.sound_speed < 5 * reference_speed())
     return too_soft(reference_speed());
   return otherwise;
 }

@@ -147,7 +147,7 @@ template <int D> void plan_pressure(const Scene& s, const Derived& d, EnginePlan
   const DensityDiffusion diffusion = s.density_diffusion();
   p.density_diffusion = diffusion == DensityDiffusion::none ? 0 : solver.delta;
   p.antuono2010 = diffusion == DensityDiffusion::antuono2010;
-  if (!p.incompressible()) return;
+  if (!p.incompressible) return;
   // other methods than its own are forces outside of the solver
   if (s.viscosity_method() == ViscosityMethod::monaghan2005)
     p.own_viscosity = d.viscosity / d.rest_density;
@@ -164,14 +164,14 @@ template <int D> void plan_pressure(const Scene& s, const Derived& d, EnginePlan
 
 template <int D> void plan_forces(const Scene& s, const Derived& d, EnginePlan& p) {
   ForcesPlan& f = p.forces;
-  if (p.solver == SolverName::mueller2003) return;
+  if (!s.method().has_boundary_particles()) return;
   const ViscosityMethod viscosity = s.viscosity_method();
-  const bool own = p.incompressible() && viscosity == ViscosityMethod::monaghan2005;
+  const bool own = p.incompressible && viscosity == ViscosityMethod::monaghan2005;
   if (!own) f.viscosity = viscosity;
   f.tension = s.solver.surface_tension_method;
   f.shifting = s.solver.shifting_method;
-  f.vorticity = s.solver.vorticity_method != VorticityMethod::none;
-  f.drag = s.air.drag != Drag::none;
+  f.vorticity = s.solver.vorticity_method;
+  f.drag = s.air.drag;
   if (!f.any()) return;
   f.vorticity_transfer = s.solver.vorticity_transfer.value_or(0);
   f.vorticity_inertia = s.solver.vorticity_inertia.value_or(p.support * p.support);
@@ -209,13 +209,15 @@ EnginePlan plan_of(const Scene& s, const Derived& d, Bodies* bodies, int threads
   p.dimension = s.dimension();
   p.threads = threads;
   p.solver = s.solver.name;
+  p.incompressible = s.method().incompressible();
+  p.predicts_places = s.method().predicts_places;
   p.kernel = s.solver.kernel;
   p.integrator = s.integrator();
   p.search = s.solver.search;
   p.neighbor_order = s.solver.neighbor_order;
-  p.article = s.solver.scheme == Scheme::article;
+  p.article = s.is_article();
   p.support = d.support_radius;
-  p.h = p.solver == SolverName::mueller2003 ? p.support : p.support / 2;
+  p.h = s.method().has_own_kernels() ? p.support : p.support / 2;
   p.spacing = d.spacing;
   p.mass = d.mass;
   p.lattice_sum = d.lattice_sum;

@@ -206,7 +206,7 @@ std::string Probes::header(std::size_t k) const {
   return line + (flat ? ",density [kg/m^2],pressure [N/m]\n" : ",density [kg/m^3],pressure [Pa]\n");
 }
 
-std::vector<std::string> Probes::look(Simulation& sim) {
+std::vector<std::string> Probes::look(const Simulation& sim) {
   const double time = sim.time();
   const auto bodies = sim.bodies();
   const auto at = parts_->places.now(bodies);

@@ -30,7 +30,7 @@ class Probes {
   /// The line of names of the k-th probe's table.
   std::string header(std::size_t k) const;
   /// What each probe tells of the simulation now, as lines of its table.
-  std::vector<std::string> look(Simulation& sim);
+  std::vector<std::string> look(const Simulation& sim);
 
  private:
   struct Parts;

@@ -20,11 +20,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
 std::unique_ptr<Engine> Simulation::Impl::make_engine_of(const Execution& execution) const {
-  const SolverName solver = scene.solver.name;
-  if (!has_solver(solver))
+  if (!has_solver(scene.solver.name))
     throw Error(Error::Kind::scene, "solver.name",
                 fmt::format("this build has no {}; compile with it in FRESHET_SOLVERS",
-                            solver_words[int(solver)]));
+                            scene.method().name));
   return make_engine(plan_of(scene, derived, bodies.get(), thread_count(execution.threads)),
                      {scene.solver.backend, execution.isa});
 }
@@ -41,7 +40,7 @@ double Simulation::time() const { return impl_->time; }
 const TimeSteps& Simulation::time_steps() const { return impl_->time_steps; }
 const std::vector<SolveStatistics>& Simulation::solves() const { return impl_->solves; }
 const std::vector<Warning>& Simulation::warnings() const { return impl_->health->warnings(); }
-TimeStepBounds Simulation::bounds() { return impl_->engine->bounds(impl_->time); }
+TimeStepBounds Simulation::bounds() const { return impl_->engine->bounds(impl_->time); }
 bool Simulation::finished() const {
   const Scene& s = impl_->scene;
   return s.time.adaptive ? impl_->time >= s.time.end * (1 - 1e-12) : impl_->steps >= s.steps();
@@ -76,12 +75,59 @@ void Simulation::set_gravity(const Vector& gravity) {
 
 Simulation::WritableParticles Simulation::edit_fluid() {
   impl_->health->note_intervention();
-  return {impl_->engine->positions(), impl_->engine->velocities()};
+  return {impl_->engine->positions(), impl_->engine->velocities(), impl_->engine->kinds()};
+}
+
+std::uint64_t Simulation::add_particles(std::span<const Real> x, std::span<const Real> v,
+                                        int liquid) {
+  Impl& i = *impl_;
+  const auto D = std::size_t(i.scene.dimension());
+  const auto refuse = [](const char* what, std::string why) {
+    throw Error(Error::Kind::scene, what, std::move(why));
+  };
+  if (x.size() % D != 0 || (!v.empty() && v.size() != x.size()))
+    refuse("add_particles", fmt::format("there are {} positions and {} velocities; give {} numbers "
+                                        "of each per particle, or no velocities",
+                                        x.size(), v.size(), D));
+  const auto finite = [](Real a) { return std::isfinite(a); };
+  if (!std::all_of(x.begin(), x.end(), finite) || !std::all_of(v.begin(), v.end(), finite))
+    refuse("add_particles", "a position or velocity is NaN or infinite; give finite numbers");
+  if (liquid < 0 || std::size_t(liquid) >= i.scene.liquids().size())
+    refuse("add_particles", fmt::format("there is no liquid {}; the scene has {}", liquid,
+                                        i.scene.liquids().size()));
+  i.health->note_intervention();
+  i.edited = true;
+  return i.engine->add(x, v, liquid);
+}
+
+void Simulation::remove_particles(std::span<const std::uint64_t> ids) {
+  Impl& i = *impl_;
+  std::vector<std::uint64_t> sought(ids.begin(), ids.end());
+  std::sort(sought.begin(), sought.end());
+  const auto here = i.engine->fluid().id;
+  std::vector<int> places;
+  for (std::size_t k = 0; k < here.size(); ++k)
+    if (std::binary_search(sought.begin(), sought.end(), here[k])) places.push_back(int(k));
+  if (places.size() != ids.size())
+    throw Error(Error::Kind::scene, "remove_particles",
+                fmt::format("{} of the {} ids belong to particles; give each particle's id once",
+                            places.size(), ids.size()));
+  i.health->note_intervention();
+  i.edited = true;
+  i.engine->remove(places);
+}
+
+void Simulation::observe(ObserverSchedule schedule,
+                         std::function<void(const Simulation&)> observer) {
+  const Every every = schedule.seconds > 0
+                          ? Every({}, schedule.seconds)
+                          : Every(std::max<std::int64_t>(schedule.steps, 1), {});
+  impl_->observers.emplace_back(every, std::move(observer));
 }
 
 void Simulation::step() {
   Impl& i = *impl_;
-  const double dt = i.advance(i.time, i.next_step(), 0, infinity);
+  const double before = i.time, dt = i.advance(i.time, i.next_step(), 0, infinity);
   ++i.steps;
   i.time = i.scene.time.adaptive ? i.time + dt : double(i.steps) * dt;
   i.time_steps.last = dt;
@@ -90,6 +136,8 @@ void Simulation::step() {
   if (Health::due(i.steps) || finished())
     i.health->look({i.steps, i.time, dt}, i.engine->fluid(), i.solves,
                    [&i] { return i.engine->bounds(i.time); });
+  for (const auto& [every, observer] : i.observers)
+    if (every.due({i.steps - 1, before, i.time, false})) observer(*this);
 }
 
 /// A step of dt from a time on; where a solve does not converge, in halves: an adaptive run takes
@@ -107,7 +155,7 @@ double Simulation::Impl::advance(double from, double dt, int halvings, double wh
     converged &= s.converged();
   }
   if (converged && halvings == 0) retries_help = true;
-  if (converged || !scene.time.retry || !retries_help || !scene.solver.incompressible()) {
+  if (converged || !scene.time.retry || !retries_help || !scene.method().incompressible()) {
     note(solved);
     engine->flow(from + dt, dt);
     return dt;
@@ -162,11 +210,24 @@ double Simulation::Impl::next_step() {
   health->fail_for_step({steps, time, dt}, b);
 }
 
-std::vector<Vector> Simulation::wall_forces() {
-  return impl_->engine->wall_forces(impl_->time - std::exchange(impl_->forces_asked, impl_->time));
+Simulation::Moment Simulation::moment() const {
+  return {impl_->time, impl_->engine->bounce_impulses(), impl_->engine->flow_counts()};
 }
 
-std::vector<Vector> Simulation::tractions(const std::vector<WallPatch>& patches) {
+std::vector<Vector> Simulation::wall_forces(const Moment& since) const {
+  std::vector<Vector> forces = impl_->engine->wall_forces();
+  const double interval = impl_->time - since.time;
+  if (!(interval > 0)) return forces;
+  const std::vector<Vector> impulses = impl_->engine->bounce_impulses();
+  for (std::size_t w = 0; w < forces.size(); ++w)
+    for (std::size_t d = 0; d < forces[w].size(); ++d) {
+      const double before = w < since.impulses.size() ? since.impulses[w][d] : 0;
+      forces[w][d] += (impulses[w][d] - before) / interval;
+    }
+  return forces;
+}
+
+std::vector<Vector> Simulation::tractions(const std::vector<WallPatch>& patches) const {
   const auto n = std::size_t(impl_->scene.dimension());
   for (const WallPatch& p : patches) {
     bool fits = p.center.size() == n && p.half.size() == n && p.axes.size() == n;
@@ -180,21 +241,20 @@ std::vector<Vector> Simulation::tractions(const std::vector<WallPatch>& patches)
   return impl_->engine->tractions(patches, impl_->scene.particles.spacing);
 }
 
-std::vector<Flow> Simulation::flows() {
-  Impl& i = *impl_;
+std::vector<Flow> Simulation::flows(const Moment& since) const {
+  const Impl& i = *impl_;
   const Scene& s = i.scene;
   const std::vector<std::string> names = s.flow_names();
   const std::vector<std::int64_t> counts = i.engine->flow_counts();
-  i.flowed.resize(names.size());
   const double volume = std::pow(s.particles.spacing, s.dimension());
-  const double interval = i.time - std::exchange(i.flows_asked, i.time);
+  const double interval = i.time - since.time;
   std::vector<Flow> all;
   for (std::size_t k = 0; k < names.size(); ++k) {
     const bool in = k < s.inlet.size(), out = !in && k < s.inlet.size() + s.outlet.size();
     Flow f{in ? "inlet" : out ? "outlet" : "counter", names[k], counts[k]};
     f.volume = volume * double(f.particles);
-    const auto since = double(f.particles - std::exchange(i.flowed[k], f.particles));
-    if (interval > 0) f.rate = volume * since / interval;
+    const std::int64_t before = k < since.passed.size() ? since.passed[k] : 0;
+    if (interval > 0) f.rate = volume * double(f.particles - before) / interval;
     if (in) f.waiting = counts[names.size() + k];
     all.push_back(std::move(f));
   }

@@ -10,6 +10,7 @@
 #include "bodies/bodies.h"
 #include "engine/engine.h"
 #include "freshet/simulation.h"
+#include "scene/model/schedule.h"
 #include "scene/model/setup.h"
 #include "sim/health.h"
 
@@ -36,9 +37,9 @@ struct Simulation::Impl {
   std::unique_ptr<Bodies> bodies;  // null without bodies
   std::unique_ptr<Engine> engine;
   std::int64_t steps = 0;
-  double time = 0, forces_asked = 0;
-  double flows_asked = 0;  // when, and the counts then
-  std::vector<std::int64_t> flowed;
+  double time = 0;
+  bool edited = false;  // the caller has added or removed particles
+  std::vector<std::pair<Every, std::function<void(const Simulation&)>>> observers;
   TimeSteps time_steps;
   std::vector<SolveStatistics> solves;
   bool retries_help = true;

@@ -105,9 +105,7 @@ Checkpoint Simulation::checkpoint() const {
   c.steps = impl_->steps;
   c.time = impl_->time;
   c.watch = impl_->health->record();
-  c.forces_asked = impl_->forces_asked;
-  c.flows_asked = impl_->flows_asked;
-  c.flowed = impl_->flowed;
+  c.edited = impl_->edited;
   c.time_steps = impl_->time_steps;
   c.solves = impl_->solves;
   c.retries_help = impl_->retries_help;
@@ -150,9 +148,8 @@ void Simulation::restore(const Checkpoint& c) {
   const auto ids = std::find_if(c.arrays.begin(), c.arrays.end(),
                                 [](const StateArray& a) { return a.name == "fluid/id"; });
   const auto here = std::int64_t(impl_->engine->fluid().size());
-  Impl::Resized resized(*impl_->engine, !impl_->scene.has_flows() ? here
-                                        : ids == c.arrays.end()   ? 0
-                                                                  : ids->count);
+  const bool resizes = impl_->scene.has_flows() || impl_->edited || c.edited;
+  Impl::Resized resized(*impl_->engine, !resizes ? here : ids == c.arrays.end() ? 0 : ids->count);
   const auto refuse = [](const std::string& why) {
     throw Error(Error::Kind::scene, "", "this checkpoint is not of this scene: " + why);
   };
@@ -188,9 +185,7 @@ void Simulation::restore(const Checkpoint& c) {
   impl_->steps = c.steps;
   impl_->time = c.time;
   impl_->health->go_on({c.steps, c.time, c.time_steps.last}, c.watch);
-  impl_->forces_asked = c.forces_asked;
-  impl_->flows_asked = c.flows_asked;
-  impl_->flowed = c.flowed;
+  impl_->edited = c.edited;
   impl_->time_steps = c.time_steps;
   impl_->solves = c.solves;
   impl_->retries_help = c.retries_help;

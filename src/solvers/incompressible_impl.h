@@ -121,7 +121,7 @@ void Incompressible<D, B, Kernel>::drift(B& backend, const BaseFluid& fluid, Rea
   backend.for_each("drift", f, [=] FRESHET_LAMBDA(int i) {
     f.p[i] = f.k[i] * square(f.rho[i]);
     f.x[i] += dt * f.v[i];
-    confine(i, f.x[i], f.v[i]);
+    confine(i, f, f.v[i]);
   });
 }
 

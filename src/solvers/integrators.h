@@ -58,7 +58,7 @@ template <class Fluid, class Confinement> struct EulerStep {
   FRESHET_HD void operator()(int i) const {
     f.evolve(i, Kick{dt});
     f.x[i] += dt * f.v[i];
-    confine(i, f.x[i], f.v[i]);
+    confine(i, f, f.v[i]);
   }
 };
 
@@ -71,7 +71,7 @@ template <class Fluid, class Confinement> struct KickDrift {
   FRESHET_HD void operator()(int i) const {
     f.evolve(i, HalfKick{dt / 2});
     f.x[i] += dt * f.v_memory[i];
-    confine(i, f.x[i], f.v_memory[i]);
+    confine(i, f, f.v_memory[i]);
     f.evolve(i, SecondKick{dt / 2});
   }
 };
@@ -89,7 +89,7 @@ template <class Fluid, class Confinement> struct HalfDrift {
   Real dt;
   FRESHET_HD void operator()(int i) const {
     f.x[i] += dt / 2 * f.v[i];
-    confine(i, f.x[i], f.v[i]);
+    confine(i, f, f.v[i]);
     f.evolve(i, Predict{dt / 2});
   }
 };
@@ -100,7 +100,7 @@ template <class Fluid, class Confinement> struct KickHalfDrift {
   FRESHET_HD void operator()(int i) const {
     f.evolve(i, SecondKick{dt});
     f.x[i] += dt / 2 * f.v[i];
-    confine(i, f.x[i], f.v[i]);
+    confine(i, f, f.v[i]);
   }
 };
 

@@ -51,7 +51,7 @@ template <int D> struct ArticleStep {
     f.x[i] += dt * f.v[i];
     const Real speed = norm(f.v[i]);
     if (speed > speed_limit) f.v[i] = speed_limit / speed * f.v[i];
-    confine(i, f.x[i], f.v[i]);
+    confine(i, f, f.v[i]);
   }
 };
 

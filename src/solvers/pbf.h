@@ -46,7 +46,7 @@ struct Pbf : Incompressible<D, B, Kernel> {
     this->push_without_pressure(backend, f, w, dt, Vec<D>{});  // line 22: eq. 17
     backend.for_each("kick", f, [=] FRESHET_LAMBDA(int i) {
       f.a[i] += g + f.moved[i] / (dt * dt);
-      confine(i, f.x[i], f.v[i]);
+      confine(i, f, f.v[i]);
     });
     return {density};
   }
@@ -59,7 +59,7 @@ struct Pbf : Incompressible<D, B, Kernel> {
     backend.for_each("predict", f, [=] FRESHET_LAMBDA(int i) {
       f.v[i] += dt * g;
       f.x[i] += dt * f.v[i];
-      confine(i, f.x[i], f.v[i]);
+      confine(i, f, f.v[i]);
     });
   }
 

@@ -17,8 +17,10 @@ TEST(ArticleScheme, DiffersFromThePapersInFiveThings) {
   paper_s.particles.mass.reset();
   paper_s.places.clear();
   const Derived of_article = derive(article_s), of_paper = derive(paper_s);
-  const auto article = mueller2003_parameters<2>(plan_of(article_s, of_article, nullptr, 1));
-  const auto paper = mueller2003_parameters<2>(plan_of(paper_s, of_paper, nullptr, 1));
+  const auto article =
+      parameters_of(plan_of(article_s, of_article, nullptr, 1), Mueller2003Parameters<2>{});
+  const auto paper =
+      parameters_of(plan_of(paper_s, of_paper, nullptr, 1), Mueller2003Parameters<2>{});
 
   EXPECT_EQ(Real(10), article.spiky_factor);  // 1
   EXPECT_EQ(Real(30), paper.spiky_factor);

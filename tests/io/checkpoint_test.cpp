@@ -30,8 +30,9 @@ RunCheckpoint checkpoint() {
   for (int k = 0; k < 3; ++k) sim.step();
   RunCheckpoint c = sim.checkpoint();
   c.run.scene_name = "a name";
-  c.run.frames = 7;
-  c.run.observables = "step,\n0,\n";
+  c.run.series["frames"] = {{0, 0.5}, 1};
+  c.run.tables["observables.csv"] = {"step\n", 9, 7, "a digest", "another"};
+  c.run.written["observables"] = 2;
   c.run.wall_forces = {{0.1, 1e-300}, {-3, 0}};
   return c;
 }
@@ -55,9 +56,10 @@ TEST(CheckpointFile, GivesBackWhatItWasGiven) {
   EXPECT_EQ(3, b.steps);
   EXPECT_EQ(a.time, b.time);
   EXPECT_EQ(a.run.wall_forces, b.run.wall_forces);
-  EXPECT_EQ(a.run.observables, b.run.observables);
+  EXPECT_EQ(a.run.tables, b.run.tables);
+  EXPECT_EQ(a.run.series, b.run.series);
+  EXPECT_EQ(a.run.written, b.run.written);
   EXPECT_EQ("a name", b.run.scene_name);
-  EXPECT_EQ(7, b.run.frames);
   ASSERT_EQ(a.arrays.size(), b.arrays.size());
   for (const auto& array : a.arrays) {
     const auto same = std::find_if(b.arrays.begin(), b.arrays.end(),
@@ -136,11 +138,11 @@ TEST(CheckpointFile, IsNotReadWithAnyBitFlipped) {
 
 TEST(CheckpointFile, OfAnotherFormatNamesTheVersion) {
   std::string bytes = encode_checkpoint(checkpoint());
-  bytes[bytes.find("format 3") + 7] = '1';
+  bytes[bytes.find("format 4") + 7] = '1';
   bytes[bytes.find("version 0.1.0") + 8] = '9';
   EXPECT_EQ(
       "step.h5: error: this checkpoint has format 1, written by Freshet 9.1.0; this program, "
-      "Freshet 0.1.0, reads format 3; go on with that version",
+      "Freshet 0.1.0, reads format 4; go on with that version",
       refusal(bytes));
 }
 

@@ -2,8 +2,8 @@
 // The article's pictures and figures, to the bit, whichever way neighbours are found.
 #include <gtest/gtest.h>
 
-#include "freshet/simulation.h"
 #include "core/sha256.h"
+#include "freshet/simulation.h"
 #include "render/dots.h"
 
 namespace freshet {

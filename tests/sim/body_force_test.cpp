@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "scene/model/expressions.h"
 #include "engine/select.h"
+#include "scene/model/expressions.h"
 #include "sim/small_scenes.h"
 
 namespace freshet::test {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/select.h"
+#include "freshet/checkpoint.h"
 #include "freshet/simulation.h"
 #include "scene/model/expressions.h"
 
@@ -103,6 +104,71 @@ TEST(Interventions, PositionsAndVelocitiesCanBeWritten) {
     EXPECT_NEAR(double(x), 0.525, 1e-6);  // the first place of the lattice, 0.1 to the right
     EXPECT_NEAR(after.height_mean, before.height_mean - 2 * sim.time(), 1e-4);
   }
+}
+
+TEST(Interventions, ParticlesCanBeAddedAndRemoved) {
+  for (const char* solver : solvers)
+    for (const char* backend : {"reference", "cpu"}) {
+      SCOPED_TRACE(std::string(solver) + " " + backend);
+      const Scene scene = parse_scene(drop(solver), "drop", {{"solver.backend", backend}});
+      if (!has_solver(scene.solver.name)) continue;
+      Simulation sim(scene);
+      for (int k = 0; k < 5; ++k) sim.step();
+      const std::size_t before = sim.fluid().size();
+      const std::vector<Real> x{Real(0.2), Real(0.2), Real(0.8), Real(0.2)},
+          v{Real(1), Real(0), Real(0), Real(2)};
+      EXPECT_EQ(sim.add_particles(x, v), before);
+      ASSERT_EQ(sim.fluid().size(), before + 2);
+      EXPECT_NEAR(double(sim.fluid().density[before]), 1000, 1e-3);
+      sim.wall_forces();  // searches between the steps
+      for (int k = 0; k < 5; ++k) sim.step();
+      const Frame frame = sim.frame();
+      EXPECT_NEAR(frame.x[2 * before], 0.2 + 5 * 0.0005, 1e-5);
+      EXPECT_NEAR(frame.x[2 * before + 3], 0.2 + 2 * 5 * 0.0005, 1e-5);
+      sim.remove_particles(std::vector<std::uint64_t>{before + 1, 0});
+      for (int k = 0; k < 5; ++k) sim.step();
+      ASSERT_EQ(sim.fluid().size(), before);
+      for (const std::uint64_t id : sim.fluid().id) EXPECT_TRUE(id != 0 && id != before + 1) << id;
+      EXPECT_EQ(sim.add_particles(x), before + 2) << "ids are not used again";
+    }
+}
+
+TEST(Interventions, AddedParticlesAreInCheckpoints) {
+  Simulation sim = simulation_of(drop("delta_sph")), other = simulation_of(drop("delta_sph"));
+  sim.add_particles(std::vector<Real>{Real(0.2), Real(0.2)});
+  for (int k = 0; k < 5; ++k) sim.step();
+  const Checkpoint checkpoint = sim.checkpoint();
+  other.restore(checkpoint);
+  for (Simulation* s : {&sim, &other}) {
+    for (int k = 0; k < 5; ++k) s->step();
+    s->add_particles(std::vector<Real>{Real(0.8), Real(0.8)});
+    for (int k = 0; k < 5; ++k) s->step();
+  }
+  EXPECT_EQ(sim.state_sha256(), other.state_sha256());
+  EXPECT_EQ(sim.kept_sha256(), other.kept_sha256());
+}
+
+TEST(Interventions, WrongParticlesAreRejectedAndNothingChanges) {
+  Simulation sim = simulation_of(drop("wcsph"));
+  const std::string before = sim.state_sha256();
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  EXPECT_THROW(sim.add_particles(std::vector<Real>{1, 2, 3}), Error);
+  EXPECT_THROW(sim.add_particles(std::vector<Real>{1, nan}), Error);
+  EXPECT_THROW(sim.add_particles(std::vector<Real>{1, 2}, std::vector<Real>{1}), Error);
+  EXPECT_THROW(sim.add_particles(std::vector<Real>{1, 2}, {}, 1), Error);
+  EXPECT_THROW(sim.remove_particles(std::vector<std::uint64_t>{0, 1000}), Error);
+  EXPECT_THROW(sim.remove_particles(std::vector<std::uint64_t>{0, 0}), Error);
+  EXPECT_EQ(sim.state_sha256(), before);
+}
+
+TEST(Interventions, ObserversAreCalledAsScheduled) {
+  Simulation sim = simulation_of(drop("wcsph"));
+  std::vector<std::int64_t> by_steps, by_time;
+  sim.observe({.steps = 4}, [&](const Simulation& s) { by_steps.push_back(s.steps_done()); });
+  sim.observe({.seconds = 0.002}, [&](const Simulation& s) { by_time.push_back(s.steps_done()); });
+  for (int k = 0; k < 10; ++k) sim.step();
+  EXPECT_EQ(by_steps, (std::vector<std::int64_t>{1, 5, 9}));
+  EXPECT_EQ(by_time, (std::vector<std::int64_t>{1, 4, 8}));
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "cli/files.h"
-#include "mesh/meshes.h"
 #include "engine/select.h"
+#include "mesh/meshes.h"
 #include "scene/model/setup.h"
 #include "sim/small_scenes.h"
 

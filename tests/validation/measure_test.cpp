@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a validation measures, on curves whose measures are known, and what a case must not say.
-#include "validation/measure.h"
+#include "validate/measure.h"
 
 #include <gtest/gtest.h>
 

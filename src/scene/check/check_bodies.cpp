@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/check/findings.h"
+#include "scene/keys/keys.h"
 #include "scene/model/body_motion.h"
 #include "scene/model/body_shape.h"
 #include "scene/model/expressions.h"
-#include "scene/check/findings.h"
-#include "scene/keys/keys.h"
+#include "scene/model/setup.h"
 #include "scene/sample/region_surface.h"
 #include "scene/sample/sample_bodies.h"
-#include "scene/model/setup.h"
 
 namespace freshet {
 namespace {
@@ -21,10 +21,10 @@ std::string at_body(std::size_t k) { return fmt::format("body[{}].", k); }
 
 /// Samples, whose velocity the solver knows, are what bodies are made of.
 bool check_solver(const Scene& s, Findings& out) {
-  if (s.solver.name == SolverName::mueller2003) {
-    out.error("body[0]",
-              "bodies act by samples, which mueller2003 does not have; choose "
-              "another solver.name");
+  if (!s.method().has_boundary_particles()) {
+    out.error("body[0]", fmt::format("bodies act by samples, which {} does not have; choose "
+                                     "another solver.name",
+                                     s.method().name));
     return false;
   }
   const auto refuse = [&](WallMethod m, const std::string& key) {
@@ -33,16 +33,15 @@ bool check_solver(const Scene& s, Findings& out) {
               fmt::format("there are bodies, and beside them walls are {}\"akinci2012\", "
                           "\"monaghan2009\", \"reflection\" or \"open\", not \"ghost\"; choose "
                           "one of these",
-                          s.solver.incompressible() ? "" : "\"adami2012\", "));
+                          s.method().incompressible() ? "" : "\"adami2012\", "));
     return false;
   };
-  const ViscosityMethod felt =
-      s.solver.incompressible() ? ViscosityMethod::monaghan2005 : ViscosityMethod::artificial;
+  const ViscosityMethod felt = s.method().viscosity;
   if (s.viscosity_method() != felt) {
     out.error("solver.viscosity_method",
               fmt::format("there are bodies, which feel the viscosity \"{}\" of {} only; choose "
                           "that, or remove the bodies",
-                          viscosity_words[int(felt)], solver_words[int(s.solver.name)]));
+                          viscosity_words[int(felt)], s.method().name));
     return false;
   }
   if (s.solver.surface_tension_method != SurfaceTensionMethod::none) {

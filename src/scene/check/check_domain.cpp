@@ -19,8 +19,7 @@ constexpr double widest_support = 10;
 
 template <int D> bool kernels_are_normal(const Scene& s, Real support) {
   const auto good = [](double c) { return std::isnormal(Real(c)); };
-  if (s.solver.name == SolverName::mueller2003)
-    return good(Poly6<D>(support).c) && good(Spiky<D>(support).c);
+  if (s.method().has_own_kernels()) return good(Poly6<D>(support).c) && good(Spiky<D>(support).c);
   switch (s.solver.kernel) {
     case KernelName::cubic_spline:
       return good(CubicSpline<D>(support).c);

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <set>
 
-#include "scene/model/background.h"
 #include "scene/check/findings.h"
 #include "scene/keys/keys.h"
-#include "scene/model/openings.h"
-#include "scene/sample/places.h"
-#include "scene/model/setup.h"
 #include "scene/keys/suggest.h"
+#include "scene/model/background.h"
+#include "scene/model/openings.h"
+#include "scene/model/setup.h"
+#include "scene/sample/places.h"
 
 namespace freshet {
 namespace {
@@ -164,17 +164,17 @@ void check_liquid(const Scene& s, std::size_t k, Findings& out) {
   const Scene::Inlet& in = s.inlet[k];
   const std::string at = fmt::format("inlet[{}].", k);
   const auto liquids = s.liquids();
-  if (s.solver.name != SolverName::mueller2003 && !s.solver.incompressible())
-    out.unused(at + "viscosity", "inlet.viscosity",
-               fmt::format("{} has solver.artificial_viscosity instead; remove it",
-                           solver_words[int(s.solver.name)]));
+  if (s.method().weakly_compressible())
+    out.unused(
+        at + "viscosity", "inlet.viscosity",
+        fmt::format("{} has solver.artificial_viscosity instead; remove it", s.method().name));
   const char* key = in.rest_density != liquids[0].rest_density ? "rest_density"
                     : in.viscosity != liquids[0].viscosity     ? "viscosity"
                                                                : nullptr;
-  if (key && s.solver.name == SolverName::mueller2003)
-    out.error(at + key, fmt::format("inlet[{}] and {}[0] differ in {}; mueller2003 takes one "
+  if (key && !s.method().has_boundary_particles())
+    out.error(at + key, fmt::format("inlet[{}] and {}[0] differ in {}; {} takes one "
                                     "liquid, give all the same, or choose another solver.name",
-                                    k, s.fluid.empty() ? "inlet" : "fluid", key));
+                                    k, s.fluid.empty() ? "inlet" : "fluid", key, s.method().name));
   if (!in.color.empty() && (in.color[0] != '#' || !background_color(in.color)))
     out.error(at + "color", fmt::format("inlet.color is \"{}\", not a colour; write it as #rrggbb, "
                                         "such as \"#3070c0\"",
@@ -332,7 +332,7 @@ bool too_many(const Scene& s, Findings& out) {
 bool check_flows(const Scene& s, bool walls_are_good, Findings& out) {
   if (s.inlet.empty() && s.outlet.empty() && s.counter.empty()) return true;
   if (too_many(s, out)) return false;
-  if (s.solver.name == SolverName::mueller2003 && s.solver.scheme == Scheme::article)
+  if (s.is_article())
     out.error(!s.inlet.empty()    ? "inlet[0]"
               : !s.outlet.empty() ? "outlet[0]"
                                   : "counter[0]",

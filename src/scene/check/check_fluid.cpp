@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/model/background.h"
-#include "scene/model/expressions.h"
 #include "scene/check/findings.h"
 #include "scene/keys/keys.h"
+#include "scene/model/background.h"
+#include "scene/model/expressions.h"
 #include "scene/model/openings.h"
 #include "scene/sample/places.h"
 
@@ -107,13 +107,13 @@ bool check_count(double particles, double samples, Findings& out) {
 /// mueller2003 takes one liquid.
 void check_same_liquid(const Scene& s, std::size_t k, Findings& out) {
   const Scene::Fluid &a = s.fluid[0], &b = s.fluid[k];
-  if (s.solver.name != SolverName::mueller2003) return;
+  if (s.method().has_boundary_particles()) return;
   if (a.rest_density == b.rest_density && a.viscosity == b.viscosity) return;
   const char* key = a.rest_density == b.rest_density ? "viscosity" : "rest_density";
   out.error(fmt::format("fluid[{}].{}", k, key),
-            fmt::format("fluid[{}] and fluid[0] differ in {}; mueller2003 takes one liquid, give "
+            fmt::format("fluid[{}] and fluid[0] differ in {}; {} takes one liquid, give "
                         "all the same, or choose another solver.name",
-                        k, key));
+                        k, key, s.method().name));
 }
 
 void check_liquids(const Scene& s, Findings& out) {
@@ -126,7 +126,7 @@ void check_liquids(const Scene& s, Findings& out) {
     return l.rest_density != liquids[0].rest_density;
   };
   if (s.solver.density_diffusion == DensityDiffusion::fourtakas2019 &&
-      s.solver.name == SolverName::delta_sph &&
+      s.method().reads("solver.density_diffusion") &&
       std::any_of(liquids.begin(), liquids.end(), lighter))
     out.error("solver.density_diffusion",
               "solver.density_diffusion is \"fourtakas2019\", which knows the weight of one "

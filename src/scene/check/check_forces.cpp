@@ -6,12 +6,12 @@
 namespace freshet {
 namespace {
 
-void check_mueller2003_has_none(const Scene& s, Findings& out) {
+void check_has_none(const Scene& s, Findings& out) {
   const auto none = [&](bool asked, const char* key) {
     if (asked)
-      out.error(key, fmt::format("{} is for the other solvers, and solver.name is "
-                                 "\"mueller2003\"; remove it, or choose another solver",
-                                 key));
+      out.error(key, fmt::format("{} is for the other solvers, and solver.name is \"{}\"; remove "
+                                 "it, or choose another solver",
+                                 key, s.method().name));
   };
   none(s.solver.viscosity_method.has_value(), "solver.viscosity_method");
   none(s.solver.surface_tension_method != SurfaceTensionMethod::none,
@@ -23,13 +23,13 @@ void check_mueller2003_has_none(const Scene& s, Findings& out) {
 
 void check_viscosity(const Scene& s, Findings& out) {
   const ViscosityMethod method = s.viscosity_method();
-  if (s.solver.incompressible() && method == ViscosityMethod::artificial)
+  if (s.method().incompressible() && method == ViscosityMethod::artificial)
     out.error(
         "solver.viscosity_method",
         fmt::format("solver.viscosity_method = \"artificial\" is for wcsph and delta_sph, and "
                     "solver.name is \"{}\"; choose \"monaghan2005\", \"morris1997\" or "
                     "\"weiler2018\"",
-                    solver_words[int(s.solver.name)]));
+                    s.method().name));
   if (method == ViscosityMethod::weiler2018) return;
   for (const char* key : {"solver.viscosity_tolerance", "solver.viscosity_max_iterations"})
     out.unused(key, key,
@@ -158,7 +158,7 @@ void check_air(const Scene& s, Findings& out) {
 }  // namespace
 
 void check_forces(const Scene& s, Findings& out) {
-  if (s.solver.name == SolverName::mueller2003) check_mueller2003_has_none(s, out);
+  if (!s.method().has_boundary_particles()) check_has_none(s, out);
   else check_viscosity(s, out);
   check_surface(s, out);
   check_surface_at_walls(s, out);

@@ -2,11 +2,13 @@
 /// The solver, the time and the output.
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
+#include <set>
 
-#include "scene/model/expressions.h"
+#include <fmt/ranges.h>
+
 #include "scene/check/findings.h"
 #include "scene/keys/keys.h"
+#include "scene/model/expressions.h"
 
 namespace freshet {
 namespace {
@@ -30,86 +32,53 @@ void check_backend(const Scene& s, Findings& out) {
               "solver.backend = \"reference\", or choose \"grid\"");
 }
 
-/// Keys that the solver does not read, with what it `has` in their place.
-class UnusedKeys {
- public:
-  UnusedKeys(const Scene& s, Findings& out)
-      : fluids_(s.fluid.size()), solver_(solver_words[int(s.solver.name)]), out_(out) {}
-
-  void has(const char* key, const std::string& instead) const { tell(key, key, instead); }
-  void has_viscosity(const char* instead) const {
-    for (std::size_t k = 0; k < fluids_; ++k)
-      tell(fmt::format("fluid[{}].viscosity", k), "fluid.viscosity", instead);
-  }
-  void belongs_to(const std::string& solver, const char* key) const {
-    out_.unused(
-        key, key,
-        fmt::format("only {0} reads it; remove it, or choose solver.name = \"{0}\"", solver));
-  }
-  void belong_to(const char* solvers, std::initializer_list<const char*> keys) const {
-    for (const char* key : keys)
-      out_.unused(
-          key, key,
-          fmt::format("only {} read it; remove it, or choose one of them as solver.name", solvers));
-  }
-
- private:
-  void tell(const std::string& path, const char* key, const std::string& instead) const {
-    out_.unused(path, key, fmt::format("{} {}; remove it", solver_, instead));
-  }
-
-  std::size_t fluids_;
-  std::string solver_;
-  Findings& out_;
-};
-
-void check_mueller2003_keys(const UnusedKeys& unused) {
-  unused.has("solver.kernel", "has the kernels of its paper");
-  unused.belong_to("wcsph and delta_sph", {"solver.sound_speed", "solver.artificial_viscosity",
-                                           "solver.background_pressure"});
+/// "only dfsph reads it; remove it, or choose solver.name = "dfsph"": whose key this is.
+std::string readers_of(std::string_view key) {
+  std::vector<std::string> names;
+  for (const SolverMethod* m : solver_methods())
+    if (m->reads(key)) names.push_back(m->name);
+  if (names.size() == 1)
+    return fmt::format("only {0} reads it; remove it, or choose solver.name = \"{0}\"", names[0]);
+  const std::string last = names.back();
+  names.pop_back();
+  return fmt::format("only {} and {} read it; remove it, or choose one of them as solver.name",
+                     fmt::join(names, ", "), last);
 }
 
-/// What mueller2003 alone has.
-void check_scheme_keys(const UnusedKeys& unused) {
-  unused.has("solver.scheme", "has one scheme");
-  unused.has("solver.speed_limit", "has none");
+/// Keys that other solvers read.
+void check_keys_of_solvers(const Scene& s, Findings& out) {
+  const SolverMethod& own = s.method();
+  const auto instead = [&](std::string_view key) -> const char* {
+    for (const auto& [other, words] : own.instead)
+      if (other == key) return words;
+    return nullptr;
+  };
+  std::set<std::string_view> keys;
+  for (const SolverMethod* m : solver_methods()) keys.insert(m->keys.begin(), m->keys.end());
+  for (const std::string_view key : keys) {
+    if (own.reads(key)) continue;
+    const char* has = instead(key);
+    out.unused(std::string(key), std::string(key),
+               has ? fmt::format("{} {}; remove it", own.name, has) : readers_of(key));
+  }
 }
 
-void check_weakly_compressible_keys(const Scene& s, const UnusedKeys& unused) {
-  check_scheme_keys(unused);
-  unused.has("solver.stiffness", "has solver.sound_speed instead");
-  // drops flatten in the air by it
-  if (s.viscosity_method() == ViscosityMethod::artificial && s.air.drag == Drag::none)
-    unused.has_viscosity(
-        "has solver.artificial_viscosity instead, unless solver.viscosity_method is another");
+/// fluid.viscosity, which drag reads as well: drops flatten in the air by it.
+void check_fluid_viscosity(const Scene& s, Findings& out) {
+  if (s.viscosity_method() != ViscosityMethod::artificial || s.air.drag != Drag::none) return;
+  for (std::size_t k = 0; k < s.fluid.size(); ++k)
+    out.unused(fmt::format("fluid[{}].viscosity", k), "fluid.viscosity",
+               fmt::format("{} has solver.artificial_viscosity instead, unless "
+                           "solver.viscosity_method is another; remove it",
+                           s.method().name));
 }
 
-void check_pressure_keys(const Scene& s, const UnusedKeys& unused, Findings& out) {
-  check_scheme_keys(unused);
-  unused.has("solver.stiffness", "solves for the pressure, without an equation of state");
-  unused.has("solver.sound_speed", "solves for the pressure, without sound");
-  unused.has("solver.background_pressure", "solves for the pressure, without an equation of state");
-  unused.has("solver.artificial_viscosity", "has fluid.viscosity instead");
-  unused.has("time.integrator", "has an integrator of its own");
-  if (s.solver.min_iterations > s.solver.max_iterations)
+void check_iterations(const Scene& s, Findings& out) {
+  if (s.method().incompressible() && s.solver.min_iterations > s.solver.max_iterations)
     out.error("solver.min_iterations",
               fmt::format("solver.min_iterations is {}, above solver.max_iterations, {}; make it "
                           "smaller, or solver.max_iterations larger",
                           s.solver.min_iterations, s.solver.max_iterations));
-}
-
-/// Keys of solvers that solve for the pressure.
-void check_iteration_keys(const Scene& s, const UnusedKeys& unused) {
-  const SolverName name = s.solver.name;
-  if (!s.solver.incompressible())
-    unused.belong_to("pcisph, iisph, dfsph and pbf",
-                     {"solver.density_tolerance", "solver.min_iterations", "solver.max_iterations",
-                      "solver.xsph", "time.retry"});
-  if (name != SolverName::iisph && name != SolverName::dfsph)
-    unused.belong_to("iisph and dfsph", {"solver.warm_start"});
-  if (name == SolverName::dfsph) return;
-  unused.belongs_to("dfsph", "solver.divergence_tolerance");
-  unused.belongs_to("dfsph", "solver.iteration");
 }
 
 /// Seconds between what is written, or steps, but not both; never less than a step.
@@ -166,21 +135,13 @@ void check_data(const Scene& s, Findings& out) {
 
 void check_method(const Scene& s, Findings& out) {
   check_backend(s, out);
-  const bool mueller = s.solver.name == SolverName::mueller2003;
-  const UnusedKeys unused(s, out);
-  if (mueller) check_mueller2003_keys(unused);
-  else if (s.solver.incompressible()) check_pressure_keys(s, unused, out);
-  else check_weakly_compressible_keys(s, unused);
-  check_iteration_keys(s, unused);
-  if (s.solver.name != SolverName::delta_sph)
-    for (const char* key : {"density_diffusion", "delta"})
-      out.unused(fmt::format("solver.{}", key), fmt::format("solver.{}", key),
-                 "only delta_sph diffuses density; remove it, or choose solver.name = "
-                 "\"delta_sph\"");
-  else if (s.density_diffusion() == DensityDiffusion::none)
+  check_keys_of_solvers(s, out);
+  check_fluid_viscosity(s, out);
+  check_iterations(s, out);
+  if (s.method().reads("solver.delta") && s.density_diffusion() == DensityDiffusion::none)
     out.unused("solver.delta", "solver.delta", "solver.density_diffusion is \"none\"; remove it");
-  const bool article = mueller && s.solver.scheme == Scheme::article;
-  if (article) {
+  const bool has_schemes = s.method().reads("solver.scheme");
+  if (s.is_article()) {
     if (!s.particles.mass)
       out.error("solver.scheme",
                 "solver.scheme = \"article\" needs particles.mass; the article has "
@@ -189,9 +150,9 @@ void check_method(const Scene& s, Findings& out) {
   }
   out.unused("particles.mass", "particles.mass",
              fmt::format("{} it is rest_density × spacing{}; remove it",
-                         mueller ? "with solver.scheme = \"paper\"" : "here",
+                         has_schemes ? "with solver.scheme = \"paper\"" : "here",
                          s.dimension() == 3 ? "³" : "²"));
-  if (mueller)
+  if (has_schemes)
     out.unused("solver.speed_limit", "solver.speed_limit",
                "only solver.scheme = \"article\" has one; remove it");
 }
@@ -205,7 +166,7 @@ void check_body_force(const Scene& s, Findings& out) {
                           force.size(), s.dimension()));
   else if (const auto fault = fault_in(force))
     out.error("domain.body_force", "domain.body_force " + *fault);
-  if (s.solver.name == SolverName::mueller2003 && s.solver.scheme == Scheme::article)
+  if (s.is_article())
     out.error("domain.body_force",
               "domain.body_force is given, and solver.scheme is \"article\", which has gravity "
               "only; remove it, or choose solver.scheme = \"paper\"");
@@ -213,13 +174,11 @@ void check_body_force(const Scene& s, Findings& out) {
 
 void check_gravity(const Scene& s, Findings& out) {
   if (!is_weightless(s)) return;
-  const bool mueller = s.solver.name == SolverName::mueller2003;
-  const bool weakly = !mueller && !s.solver.incompressible();
-  if (mueller && !s.solver.stiffness)
+  if (s.method().reads("solver.stiffness") && !s.solver.stiffness)
     out.error("domain.gravity",
               "without gravity there is no default of solver.stiffness; give solver.stiffness "
               "(the square of ten times the fastest speed is a good start)");
-  if (weakly && !s.solver.sound_speed)
+  if (s.method().reads("solver.sound_speed") && !s.solver.sound_speed)
     out.error("domain.gravity",
               "without gravity there is no default of solver.sound_speed; give solver.sound_speed "
               "(ten times the fastest speed is a good start)");
@@ -232,7 +191,7 @@ void check_gravity(const Scene& s, Findings& out) {
 
 /// The article has one box, in 2D, and steps of its own.
 void check_scheme(const Scene& s, Findings& out) {
-  if (s.solver.name != SolverName::mueller2003 || s.solver.scheme != Scheme::article) return;
+  if (!s.is_article()) return;
   const char* remedy = "remove it, or choose solver.scheme = \"paper\"";
   if (s.dimension() == 3)
     out.error("solver.scheme",

@@ -5,8 +5,8 @@
 #include "scene/check/findings.h"
 #include "scene/keys/keys.h"
 #include "scene/model/probe_plane.h"
-#include "scene/sample/sample_walls.h"
 #include "scene/model/setup.h"
+#include "scene/sample/sample_walls.h"
 
 namespace freshet {
 namespace {
@@ -99,9 +99,9 @@ void check_wall(const Scene& s, const Scene::Probe& p, const std::string& at, Fi
     out.error(at + "kind",
               fmt::format("probe.kind is \"wall\", which asks the samples of walls, and "
                           "no wall has any; choose {}, or another kind",
-                          s.solver.name == SolverName::mueller2003
-                              ? "another solver.name than mueller2003"
-                              : "walls.method = \"akinci2012\""));
+                          s.method().has_boundary_particles()
+                              ? "walls.method = \"akinci2012\""
+                              : fmt::format("another solver.name than {}", s.method().name)));
 }
 
 }  // namespace

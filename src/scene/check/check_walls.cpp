@@ -24,18 +24,18 @@ const char* word_of(WallMethod m) { return method_words[int(m)]; }
 /// Whether the solver knows the method. `flat`: the wall could be of mirror images.
 bool check_solver(const Scene& s, WallMethod m, const std::string& key, const std::string& name,
                   bool flat, Findings& out) {
-  const bool mueller = s.solver.name == SolverName::mueller2003;
-  if (mueller && is_sampled(m))
-    out.error(key, fmt::format("{} is \"{}\", and mueller2003 takes \"open\", \"reflection\" and "
+  const SolverMethod& solver = s.method();
+  const bool unknown = is_sampled(m) && !solver.has_boundary_particles();
+  if (unknown)
+    out.error(key, fmt::format("{} is \"{}\", and {} takes \"open\", \"reflection\" and "
                                "\"ghost\"; choose one, or another solver.name",
-                               name, word_of(m)));
-  const bool extrapolates = s.solver.incompressible() && m == WallMethod::adami2012;
+                               name, word_of(m), solver.name));
+  const bool extrapolates = solver.incompressible() && m == WallMethod::adami2012;
   if (extrapolates)
-    out.error(key,
-              fmt::format("{} is \"adami2012\", which needs an equation of state, and {} has "
-                          "none; choose \"akinci2012\"{}",
-                          name, solver_words[int(s.solver.name)], flat ? " or \"ghost\"" : ""));
-  return !extrapolates && !(mueller && is_sampled(m));
+    out.error(key, fmt::format("{} is \"adami2012\", which needs an equation of state, and {} has "
+                               "none; choose \"akinci2012\"{}",
+                               name, solver.name, flat ? " or \"ghost\"" : ""));
+  return !extrapolates && !unknown;
 }
 
 /// What a method does not read.
@@ -75,21 +75,22 @@ bool check_method_of(const Scene& s, std::size_t k, const std::string& at, Findi
   const WallMethod m = s.wall_method(k);
   const std::string key = at + "method";
   const bool box_inside = w.shape == Shape::box && w.side == Side::inside;
-  if (w.shape == Shape::points && s.solver.name == SolverName::mueller2003)
-    out.error(at + "shape",
-              "wall.shape is \"points\", whose methods mueller2003 does not have; "
-              "choose another shape or another solver.name");
+  if (w.shape == Shape::points && !s.method().has_boundary_particles())
+    out.error(at + "shape", fmt::format("wall.shape is \"points\", whose methods {} does not have; "
+                                        "choose another shape or another solver.name",
+                                        s.method().name));
   else if (w.shape == Shape::points && !is_sampled(m))
     out.error(key, fmt::format("wall.method is \"{}\", and points are held by \"akinci2012\"{} or "
                                "\"monaghan2009\"; choose one",
-                               word_of(m), s.solver.incompressible() ? "" : ", \"adami2012\""));
+                               word_of(m), s.method().incompressible() ? "" : ", \"adami2012\""));
   else if (w.shape == Shape::mesh && m != WallMethod::akinci2012 && m != WallMethod::monaghan2009)
-    out.error(key, fmt::format("wall.method is \"{}\", and meshes are sampled in one layer; choose "
-                               "\"akinci2012\" or \"monaghan2009\"{}",
-                               word_of(m),
-                               s.solver.name == SolverName::mueller2003
-                                   ? ", and another solver.name than mueller2003"
-                                   : ""));
+    out.error(key,
+              fmt::format("wall.method is \"{}\", and meshes are sampled in one layer; choose "
+                          "\"akinci2012\" or \"monaghan2009\"{}",
+                          word_of(m),
+                          s.method().has_boundary_particles()
+                              ? ""
+                              : fmt::format(", and another solver.name than {}", s.method().name)));
   else if (m == WallMethod::open)
     out.error(key,
               "wall.method is \"open\": it would not be there; remove the wall or choose "

@@ -6,8 +6,8 @@
 #include "freshet/derived.h"
 #include "scene/check/body_warnings.h"
 #include "scene/check/findings.h"
-#include "scene/model/loaded_mesh.h"
 #include "scene/check/probe_warnings.h"
+#include "scene/model/loaded_mesh.h"
 #include "scene/model/setup.h"
 
 namespace freshet {
@@ -108,13 +108,14 @@ class Warnings {
       const Scene::Inlet& in = s_.inlet[k];
       const DerivedInlet& d = d_.inlets[k];
       const std::string key = fmt::format("inlet[{}].{}", k, in.speed ? "speed" : "flow_rate");
-      if (!s_.solver.incompressible() && d.speed > 0.15 * d_.sound_speed)
-        warn(key, fmt::format("{} flows at {:.4g} m/s, more than a tenth of the speed of sound, "
-                              "{:.4g} m/s: it will be compressed; make {} larger, {:.3g} say",
-                              d.name, d.speed, d_.sound_speed,
-                              s_.solver.name == SolverName::mueller2003 ? "solver.stiffness"
+      if (!s_.method().incompressible() && d.speed > 0.15 * d_.sound_speed)
+        warn(key,
+             fmt::format("{} flows at {:.4g} m/s, more than a tenth of the speed of sound, "
+                         "{:.4g} m/s: it will be compressed; make {} larger, {:.3g} say",
+                         d.name, d.speed, d_.sound_speed,
+                         s_.method().pressure == PressureFamily::linear ? "solver.stiffness"
                                                                         : "solver.sound_speed",
-                              s_.solver.name == SolverName::mueller2003 ? 100 * d.speed * d.speed
+                         s_.method().pressure == PressureFamily::linear ? 100 * d.speed * d.speed
                                                                         : 10 * d.speed));
       if (in.start >= s_.time.end)
         warn(fmt::format("inlet[{}].start", k),

@@ -211,7 +211,7 @@ void pressure_keys(KeyVisitor& v, Scene::Solver& s) {
 }
 
 void solver_keys(KeyVisitor& v, Scene::Solver& s) {
-  v.choice("name", s.name, solver_words,
+  v.choice("name", s.name, solver_words(),
            {.unit = "",
             .text = "the method, named after its paper; `pcisph`, `iisph`, `dfsph` and `pbf` are "
                     "the pressure solvers: each step iterates until the pressure keeps the "
@@ -272,6 +272,15 @@ void solver_keys(KeyVisitor& v, Scene::Solver& s) {
 }
 
 }  // namespace
+
+Words solver_words() {
+  static const std::vector<const char*> names = [] {
+    std::vector<const char*> list;
+    for (const SolverMethod* m : solver_methods()) list.push_back(m->name);
+    return list;
+  }();
+  return names;
+}
 
 void visit_keys(KeyVisitor& v, Scene& s) {
   v.text("title", s.title, {.unit = "", .text = "a line for the list of scenes"});

@@ -31,8 +31,6 @@ inline constexpr const char* shape_words[] = {"box",    "sphere", "cylinder", "p
 inline constexpr const char* side_words[] = {"inside", "outside"};
 inline constexpr const char* outside_words[] = {"error", "clamp"};
 inline constexpr const char* pressure_words[] = {"zero", "hydrostatic"};
-inline constexpr const char* solver_words[] = {"mueller2003", "wcsph", "delta_sph", "pcisph",
-                                               "iisph",       "dfsph", "pbf"};
 inline constexpr const char* scheme_words[] = {"paper", "article"};
 inline constexpr const char* kernel_words[] = {"cubic_spline", "wendland_c2", "wendland_c4",
                                                "wendland_c6"};
@@ -130,6 +128,9 @@ class KeyVisitor {
         [&](std::size_t k) { keys(all[k]); });
   }
 };
+
+/// The names of the solvers, in the order of SolverName.
+Words solver_words();
 
 void visit_keys(KeyVisitor& visitor, Scene& scene);
 

@@ -41,7 +41,7 @@ template <int D> int neighbors_within(double support, double spacing) {
 /// f(kernel of the density, kernel of the gradient).
 template <int D, class F> void with_kernels(const Scene& s, Real support, F f) {
   const auto same = [&](const auto& W) { f(W, W); };
-  if (s.solver.name == SolverName::mueller2003) return f(Poly6<D>(support), Spiky<D>(support));
+  if (s.method().has_own_kernels()) return f(Poly6<D>(support), Spiky<D>(support));
   switch (s.solver.kernel) {
     case KernelName::cubic_spline:
       return same(CubicSpline<D>(support));
@@ -109,7 +109,7 @@ double viscous_step(const Scene& s, const Derived& d, double h) {
                   ? d.viscosity / d.rest_density
                   : 0;
   // what Monaghan's term amounts to [Monaghan 2005, sec. 3.2]: nu = alpha h c/(2 (D + 2))
-  if (s.solver.name != SolverName::mueller2003 && !s.solver.incompressible())
+  if (s.method().weakly_compressible())
     nu = std::max(
         nu, artificial_viscosity(s) * h * d.sound_speed * d.lightness / (2 * (s.dimension() + 2)));
   return 0.125 * h * h / nu;
@@ -161,7 +161,7 @@ double support_radius(const Scene& s) {
 }
 
 double stiffness(const Scene& s) {
-  if (s.solver.name == SolverName::mueller2003)
+  if (s.method().pressure == PressureFamily::linear)
     return s.solver.stiffness.value_or(100 * fastest_fall2(s));
   return s.solver.sound_speed ? square(*s.solver.sound_speed) : 100 * fastest_fall2(s);
 }
@@ -203,7 +203,7 @@ Derived derive(const Scene& scene) {
   derive_steps(s, d);
   double fastest = fastest_start(start, s.dimension());
   for (const DerivedInlet& in : d.inlets) fastest = std::max(fastest, in.speed);
-  if (s.solver.incompressible()) derive_flow(s, fastest, d);
+  if (s.method().incompressible()) derive_flow(s, fastest, d);
   return d;
 }
 

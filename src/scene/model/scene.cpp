@@ -11,14 +11,6 @@
 #include "scene/model/setup.h"
 
 namespace freshet {
-namespace {
-
-WallMethod default_method(const Scene& s) {
-  return s.solver.name == SolverName::mueller2003 ? WallMethod::reflection : WallMethod::akinci2012;
-}
-
-}  // namespace
-
 std::int64_t Scene::steps() const {
   return time.adaptive ? std::int64_t(std::ceil(time.end / time.step_max.value_or(time.end)))
                        : std::llround(time.end / time.step);
@@ -27,17 +19,14 @@ std::int64_t Scene::steps() const {
 WallMethod Scene::side_method(int side) const {
   const std::optional<WallMethod> given[] = {walls.x_min, walls.x_max, walls.y_min,
                                              walls.y_max, walls.z_min, walls.z_max};
-  return given[side].value_or(walls.method.value_or(default_method(*this)));
+  return given[side].value_or(walls.method.value_or(method().walls));
 }
 
 WallMethod Scene::wall_method(std::size_t k) const {
-  return wall[k].method.value_or(default_method(*this));
+  return wall[k].method.value_or(method().walls);
 }
 
-Integrator Scene::integrator() const {
-  return time.integrator.value_or(solver.name == SolverName::wcsph ? Integrator::symplectic_euler
-                                                                   : Integrator::leapfrog);
-}
+Integrator Scene::integrator() const { return time.integrator.value_or(method().integrator); }
 
 std::vector<Scene::Liquid> Scene::liquids() const {
   std::vector<Liquid> all;
@@ -63,9 +52,7 @@ DensityDiffusion Scene::density_diffusion() const {
 }
 
 ViscosityMethod Scene::viscosity_method() const {
-  const bool weakly = solver.name == SolverName::wcsph || solver.name == SolverName::delta_sph;
-  return solver.viscosity_method.value_or(weakly ? ViscosityMethod::artificial
-                                                 : ViscosityMethod::monaghan2005);
+  return solver.viscosity_method.value_or(method().viscosity);
 }
 
 double artificial_viscosity(const Scene& s) {
@@ -74,7 +61,7 @@ double artificial_viscosity(const Scene& s) {
 }
 
 double density_tolerance(const Scene& s) {
-  return s.solver.density_tolerance.value_or(s.solver.name == SolverName::dfsph ? 1e-4 : 1e-3);
+  return s.solver.density_tolerance.value_or(s.method().density_tolerance);
 }
 
 WallMethod body_method(const Scene& s) {

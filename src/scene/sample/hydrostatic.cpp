@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/sample/places.h"
 #include "scene/model/setup.h"
+#include "scene/sample/places.h"
 
 namespace freshet {
 namespace {
@@ -24,8 +24,8 @@ double gravity_of(const Scene& s) {
 
 HydrostaticColumn::HydrostaticColumn(const Scene& s, double rest_density, double height,
                                      double load)
-    : rigid_(s.solver.incompressible()),
-      tait_(s.solver.name != SolverName::mueller2003),
+    : rigid_(s.method().incompressible()),
+      tait_(s.method().pressure != PressureFamily::linear),
       rest_density_(rest_density),
       gravity_(gravity_of(s)),
       height_(height),

@@ -18,7 +18,7 @@ template <int D> class FluidSampler {
         jitter_(float(s.particles.jitter)),  // the same offsets in a double build
         generator_(static_cast<std::mt19937::result_type>(s.particles.seed)),
         offset_(-jitter_, jitter_),
-        tells_pressure_(s.solver.incompressible() &&
+        tells_pressure_(s.method().incompressible() &&
                         std::any_of(s.fluid.begin(), s.fluid.end(),
                                     [](const Scene::Fluid& f) {
                                       return f.pressure == StartPressure::hydrostatic;

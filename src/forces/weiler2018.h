@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <cmath>
-
-#include "pairs/monaghan2005.h"
+#include "forces/monaghan2005.h"
 #include "pairs/weiler2018.h"
-#include "solvers/backend.h"
-#include "solvers/non_pressure_forces.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
@@ -19,13 +15,19 @@ inline namespace FRESHET_ISA {
 /// step before [sec. 3.3]. Solving for dv, not for v', leaves out how fast everything moves
 /// together: the error is what is left of dt L v, as a share of it. A particle's equation counts
 /// with its density over the densest liquid's, which makes the equations symmetric.
-template <int D, class B, template <int> class Kernel> class Weiler2018 {
+template <int D, class B, template <int> class Kernel> class Weiler2018 final : public Force<D, B> {
  public:
-  using Fluid = FluidParticles<D>;
-  Weiler2018(Kernel<D> W, Real m, Real rho0, Real eps_h2, const Iterations& limits)
-      : W_(W), m_(m), rho0_(rho0), eps_h2_(eps_h2), limits_(limits) {}
+  using typename Force<D, B>::Fluid;
+  Weiler2018(const ForceParameters<D>& c, Kernel<D> W) : c_(c), W_(W) {}
+  static bool acts(const ForceParameters<D>& c) {
+    return c.viscosity == ViscosityMethod::weiler2018;
+  }
 
-  void fields(FieldMaker<D>& maker) {
+  bool is_implicit() const override { return true; }
+  void add_wall_forces(const Fluid& f, const Walls<D>& w, WallForces<D, B>& forces) const override {
+    Monaghan2005<D, B, Kernel>::add_reactions(c_, W_, f, w, true, forces);
+  }
+  void fields(FieldMaker<D>& maker) override {
     maker.make("viscosity_dv", Keep::kept, dv_);
     maker.make("viscosity_left", Keep::scratch, left_);
     maker.make("viscosity_way", Keep::scratch, way_);
@@ -34,9 +36,9 @@ template <int D, class B, template <int> class Kernel> class Weiler2018 {
     maker.make("viscosity_off", Keep::scratch, off_);
   }
 
-  /// v as it is after dt of viscosity; mu [Pa s], lightness: by the liquids.
-  Solve relax(B& backend, const Fluid& f, const Walls<D>& w, Real dt, Field<Vec<D>> v,
-              const PerLiquid& mu, const PerLiquid& lightness) {
+  Solve relax(B& backend, const Fluid& f, const Walls<D>& w, Real dt, Field<Vec<D>> v) override {
+    const PerLiquid mu = c_.liquids.each(&Liquid::mu, f),
+                    lightness = c_.liquids.each(&Liquid::lightness, f);
     const auto dv = dv_;
     find_blocks(backend, f, w, dt, mu, lightness);
     const double start = begin(backend, f, w, dt, v, mu, lightness);
@@ -51,11 +53,11 @@ template <int D, class B, template <int> class Kernel> class Weiler2018 {
                    const PerLiquid& lightness) const {
     const auto diagonal = diagonal_, off = off_;
     backend.sum_pairs(
-        "viscosity: blocks", f, over(f, Weiler2018Block{W_, m_, eps_h2_, mu, f.rho}),
-        over(w.akinci2012, Weiler2018AkinciBlock{W_, eps_h2_, mu, f.rho, w.akinci2012.psi,
+        "viscosity: blocks", f, over(f, Weiler2018Block{W_, c_.m, c_.eps_h2(), mu, f.rho}),
+        over(w.akinci2012, Weiler2018AkinciBlock{W_, c_.eps_h2(), mu, f.rho, w.akinci2012.psi,
                                                  w.akinci2012.friction}),
         over(w.adami2012,
-             Weiler2018AdamiBlock{W_, m_, rho0_, eps_h2_, mu, f.rho, w.adami2012.friction}),
+             Weiler2018AdamiBlock{W_, c_.m, c_.rho0, c_.eps_h2(), mu, f.rho, w.adami2012.friction}),
         [=] FRESHET_LAMBDA(int i, const Symmetric<D, Real>& M) {
           const auto inverse = inverse_of_one_and(dt * lightness[i], M);
           diagonal[i] = inverse.diagonal;
@@ -72,10 +74,11 @@ template <int D, class B, template <int> class Kernel> class Weiler2018 {
     like_v.v = v;
     backend.share("viscosity", like_v, v);
     backend.sum_pairs(
-        "viscosity: product", f, over(f, Monaghan2005Viscosity{W_, m_, eps_h2_, mu, f.rho, v}),
-        over(w.akinci2012, Monaghan2005Akinci{W_, eps_h2_, mu, f.rho, v, w.akinci2012.psi,
+        "viscosity: product", f,
+        over(f, Monaghan2005Viscosity{W_, c_.m, c_.eps_h2(), mu, f.rho, v}),
+        over(w.akinci2012, Monaghan2005Akinci{W_, c_.eps_h2(), mu, f.rho, v, w.akinci2012.psi,
                                               w.akinci2012.friction}),
-        over(w.adami2012, Monaghan2005Adami{W_, m_, rho0_, eps_h2_, mu, f.rho, v,
+        over(w.adami2012, Monaghan2005Adami{W_, c_.m, c_.rho0, c_.eps_h2(), mu, f.rho, v,
                                             w.adami2012.friction, w.adami2012.v, true}),
         finish);
   }
@@ -104,8 +107,8 @@ template <int D, class B, template <int> class Kernel> class Weiler2018 {
     for (int n = 0;; ++n) {
       const double norm = std::sqrt(weighted(backend, f, left, left, lightness));
       const double error = size > 0 ? norm / size : 0;
-      if (!(error > limits_.tolerance) || n >= limits_.most || std::isnan(error))
-        return {"viscosity", n, error, limits_.tolerance};
+      if (!(error > c_.implicit.tolerance) || n >= c_.implicit.most || std::isnan(error))
+        return {"viscosity", n, error, c_.implicit.tolerance};
       const double zr = preconditioned(backend, f, lightness);
       const Real beta = zr_before > 0 ? Real(zr / zr_before) : 0;
       zr_before = zr;
@@ -153,9 +156,8 @@ template <int D, class B, template <int> class Kernel> class Weiler2018 {
   Preconditioned z() const { return {diagonal_, off_, left_}; }
 
  private:
+  ForceParameters<D> c_;
   Kernel<D> W_;
-  Real m_, rho0_, eps_h2_;
-  Iterations limits_;
   Field<Vec<D>> dv_;                    // kept: of the step before
   Field<Vec<D>> left_, way_, product_;  // scratch
   Field<Vec<D>> diagonal_, off_;        // scratch: the preconditioner

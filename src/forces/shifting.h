@@ -2,31 +2,14 @@
 /// What moves particles beside the flow, so that they stay evenly spread, and what ways of it
 /// share.
 #pragma once
-#include <cmath>
-
-#include "boundary/wall_sets.h"
+#include "forces/force.h"
 #include "pairs/lind2012.h"
-#include "pairs/per_liquid.h"
-#include "solvers/backend.h"
-#include "solvers/non_pressure_forces.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-template <int D, class B> struct Shifting {
-  using Fluid = FluidParticles<D>;
-  virtual ~Shifting() = default;
-  virtual void fields(FieldMaker<D>& maker) = 0;
-  /// What a step of dt shifts, by the particles and neighbours as they are; v is shared. push +=
-  /// what that does to the flow's momentum [m/s^2].
-  virtual void find(B& backend, const Fluid& f, const Walls<D>& w, Real dt, PerLiquid lightness,
-                    Field<Vec<D>> push) = 0;
-  /// Shifts, at the end of the step.
-  virtual void move(B& backend, const Fluid& f, Real dt) const = 0;
-
-  /// Of the surface are particles whose -sum_j V_j x_ij · grad W_ij, D inside, is less.
-  static constexpr Real inside = Real(0.75f) * D;
-};
+/// Of the surface are particles whose -sum_j V_j x_ij · grad W_ij, D inside, is less.
+template <int D> constexpr Real inside_from = Real(0.75f) * D;
 
 /// Shifting along the concentration of particles: what is shifted takes on the velocity and the
 /// density that the flow has there [Lind, Xu, Stansby, Rogers 2012, eq. 33].

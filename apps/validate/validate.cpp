@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "freshet/validate.h"
+#include "validate/validate.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@
 #include "core/text.h"
 #include "freshet/run.h"
 #include "scene/model/inputs.h"
-#include "validation/measure.h"
+#include "validate/measure.h"
 
 namespace freshet {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "validation/measure.h"
+#include "validate/measure.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "freshet/error.h"
 #include "render/chart.h"
-#include "validation/formula.h"
+#include "validate/formula.h"
 
 namespace freshet {
 namespace {

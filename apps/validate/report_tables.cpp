@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "validation/report_tables.h"
+#include "validate/report_tables.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -107,7 +107,7 @@ std::vector<ValidationRun> runs_of(const std::vector<ValidationRun>& runs,
 ReportTable overview_table(const std::vector<ValidationCase>& cases,
                            const std::vector<ValidationRun>& runs) {
   ReportTable table{{{"", "case", "", false}}};
-  for (const char* solver : solver_words)
+  for (const char* solver : solver_words())
     if (std::any_of(runs.begin(), runs.end(), [&](auto& r) { return r.solver == solver; }))
       table[0].push_back({solver, "", "", false});
   for (const ValidationCase& c : cases) {

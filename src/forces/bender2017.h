@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "forces/force.h"
 #include "pairs/bender2017.h"
-#include "solvers/backend.h"
-#include "solvers/non_pressure_forces.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
@@ -15,13 +14,22 @@ inline namespace FRESHET_ISA {
 /// the second by backward Euler in omega, so that no nu_t is too large for it.
 ///
 ///   nu_t [m^2/s], Theta [m^2]
-template <int D, class B, template <int> class Kernel> struct Bender2017 {
-  using Fluid = FluidParticles<D>;
+template <int D, class B, template <int> class Kernel> struct Bender2017 final : Force<D, B> {
+  using typename Force<D, B>::Fluid;
   Kernel<D> W;
   Real m, nu_t, Theta;
   Field<Spin<D, Real>> spin;  ///< kept: omega [1/s]
+  Bender2017(const ForceParameters<D>& c, Kernel<D> W)
+      : W(W), m(c.m), nu_t(c.nu_t), Theta(c.Theta) {}
+  static bool acts(const ForceParameters<D>& c) {
+    return c.vorticity == VorticityMethod::bender2017;
+  }
 
-  void fields(FieldMaker<D>& maker) { maker.make("spin", Keep::kept, spin); }
+  void add(B& backend, const Fluid& f, const Walls<D>&, Real dt, Field<Vec<D>> add) override {
+    turn(backend, f, dt);
+    push(backend, f, add);
+  }
+  void fields(FieldMaker<D>& maker) override { maker.make("spin", Keep::kept, spin); }
 
   // Public for nvcc, which takes no lambdas from private functions.
   /// add += nu_t curl omega

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "freshet/validate.h"
 #include "freshet/version.h"
-#include "validation/report_tables.h"
+#include "validate/report_tables.h"
+#include "validate/validate.h"
 
 namespace freshet {
 namespace {

@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <cmath>
-
+#include "forces/force.h"
 #include "pairs/gissler2017.h"
-#include "solvers/non_pressure_forces.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
-
-/// The air: its density [kg/m^3], dynamic viscosity [Pa s] and velocity [m/s].
-template <int D> struct Air {
-  Real rho, mu;
-  Vec<D> wind;
-};
 
 /// The drag of air on what it meets of a liquid [Gissler, Band, Peer, Ihmsen, Teschner 2017]. A
 /// particle without neighbours is a drop that the air flattens as the Taylor analogy breakup model
@@ -22,7 +14,7 @@ template <int D> struct Air {
 ///   drop        f = 1/2 rho_a |v_rel|^2 C A exposed/m against v_rel, v_rel = v - wind  [eq. 1]
 ///   L           radius of a drop as large as the particle [m]
 ///   y           flattening, 0 for a ball and at most 1 for a disc  [eqs. 5 to 8]
-template <int D> struct Gissler2017 {
+template <int D> struct Gissler2017Drop {
   Air<D> air;
   Real h, spacing, L, m;
   Real flatten;   ///< y over v_rel^2 [s^2/m^2]
@@ -30,8 +22,8 @@ template <int D> struct Gissler2017 {
   Real reynolds;  ///< Re over |v_rel| [s/m]
 
   /// rho0 [kg/m^3], mu [Pa s], sigma [N/m] of the liquid; inside: neighbours in a resting lattice.
-  Gissler2017(const Air<D>& air, double h, double spacing, double rho0, double mu, double sigma,
-              double inside)
+  Gissler2017Drop(const Air<D>& air, double h, double spacing, double rho0, double mu, double sigma,
+                  double inside)
       : air(air), h(Real(h)), spacing(Real(spacing)), m(Real(rho0 * std::pow(spacing, D))) {
     const double volume = std::pow(spacing, D), four_pi = 4 * 3.14159265358979323846;
     const double radius =
@@ -82,6 +74,26 @@ template <int D> struct Gissler2017 {
                A_inside = D == 3 ? spacing * spacing : spacing;
     const Real A = ((1 - inside) * A_drop + inside * A_inside) * (1 - min(seen.hidden, Real(1)));
     return (Real(-0.5f) * air.rho * C_v * A / m) * v_rel;  // eqs. 10, 14 and 16
+  }
+};
+
+/// The drag on the particles of one liquid.
+template <int D, class B, template <int> class Kernel> struct Gissler2017 final : Force<D, B> {
+  using typename Force<D, B>::Fluid;
+  Gissler2017Drop<D> drop;
+  Gissler2017(const ForceParameters<D>& c, Kernel<D>)
+      : drop(c.air, double(c.support), std::pow(double(c.m / c.rho0), 1.0 / D),
+             double(c.rho0 / c.liquids[0].lightness), double(c.liquids[0].mu),
+             double(c.liquids[0].sigma), double(c.neighbors_inside)) {}
+  static bool acts(const ForceParameters<D>& c) { return c.drag == Drag::gissler2017; }
+
+  void add(B& backend, const Fluid& fluid, const Walls<D>&, Real, Field<Vec<D>> push) override {
+    const auto f = fluid;
+    const auto drop = this->drop;
+    backend.sum_pairs("air", f, over(f, drop.neighbors(f)),
+                      [=] FRESHET_LAMBDA(int i, const Gissler2017Exposure<D, Real>& seen) {
+                        push[i] += drop.acceleration(f.v[i], seen);
+                      });
   }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "forces/shifting.h"
 #include "pairs/adami2013.h"
-#include "solvers/shifting.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
@@ -18,27 +18,28 @@ inline namespace FRESHET_ISA {
 /// at last. The paper sums densities; where the density is kept, it is that of the flow where the
 /// particle has come to. Where there is no sound, the step is the paper's longest: c0 = h/(4 dt), h
 /// half the support.
-template <int D, class B, template <int> class Kernel> struct Adami2013 final : Shifting<D, B> {
-  using typename Shifting<D, B>::Fluid;
+template <int D, class B, template <int> class Kernel> struct Adami2013 final : Force<D, B> {
+  using typename Force<D, B>::Fluid;
   Kernel<D> W;
   Real m, rho0, h, c0;  ///< c0 = 0: there is no sound
   ShiftingAtSurface<D, B, Kernel> surface;
   Field<Vec<D>> u;   ///< scratch: v~ - v [m/s]
   Field<Real> drho;  ///< scratch: rate of the density by it [kg/m^D/s]
-  Adami2013(Kernel<D> W, Real m, Real rho0, Real h, Real c0)
-      : W(W), m(m), rho0(rho0), h(h), c0(c0), surface{W, {}} {}
+  Liquids liquids;
+  Adami2013(const ForceParameters<D>& c, Kernel<D> W)
+      : W(W), m(c.m), rho0(c.rho0), h(c.h), c0(c.c0), surface{W, {}}, liquids(c.liquids) {}
+  static bool acts(const ForceParameters<D>& c) { return c.shifting == ShiftingMethod::adami2013; }
 
   void fields(FieldMaker<D>& maker) override {
     maker.make("shift", Keep::scratch, u);
     maker.make("shift_drho", Keep::scratch, drho);
     surface.fields(maker);
   }
-  void find(B& backend, const Fluid& f, const Walls<D>& w, Real dt, PerLiquid lightness,
-            Field<Vec<D>> push) override {
+  void add(B& backend, const Fluid& f, const Walls<D>& w, Real dt, Field<Vec<D>> push) override {
     find_transport(backend, f, w, dt);
     surface.keep_along(backend, f, u);
     backend.share("shift", f, u);
-    find_change(backend, f, lightness, push);
+    find_change(backend, f, liquids.each(&Liquid::lightness, f), push);
   }
   void move(B& backend, const Fluid& fluid, Real dt) const override {
     const auto f = fluid;
@@ -54,7 +55,7 @@ template <int D, class B, template <int> class Kernel> struct Adami2013 final : 
   void find_transport(B& backend, const Fluid& f, const Walls<D>& w, Real dt) const {
     const auto u = this->u, edge = surface.edge;
     const Real c = c0 > 0 ? c0 : dt > 0 ? h / (4 * dt) : 0;
-    const Real factor = -dt / 2 * c * c * rho0 / m, inside = this->inside;
+    const Real factor = -dt / 2 * c * c * rho0 / m, inside = inside_from<D>;
     backend.sum_pairs(
         "shift", f, over(f, Adami2013Background{W, m, f.rho}),
         over(w.akinci2012, Adami2013WallBackground{W, m, rho0, f.rho, w.akinci2012.psi}),

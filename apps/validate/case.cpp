@@ -7,8 +7,8 @@
 #include <set>
 
 #include "freshet/error.h"
-#include "freshet/validate.h"
 #include "scene/keys/keys.h"
+#include "validate/validate.h"
 
 namespace freshet {
 namespace {
@@ -136,10 +136,10 @@ ValidationMeasure measure_in(const toml::table& table, const fs::path& file) {
 
 void check_solvers(CaseReader& in, const toml::table& table,
                    const std::vector<std::string>& names) {
+  const Words solvers = solver_words();
   for (const std::string& name : names)
-    if (std::find(std::begin(solver_words), std::end(solver_words), name) == std::end(solver_words))
-      in.fail(table,
-              fmt::format("{} is no solver; there are {}", name, fmt::join(solver_words, ", ")));
+    if (std::find(solvers.begin(), solvers.end(), name) == solvers.end())
+      in.fail(table, fmt::format("{} is no solver; there are {}", name, fmt::join(solvers, ", ")));
 }
 
 /// spacings, time steps, or values of what `vary` names: what the runs of a case differ by.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "validation/formula.h"
+#include "validate/formula.h"
 
 #include <fmt/format.h>
 

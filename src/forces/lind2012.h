@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "solvers/shifting.h"
+#include "forces/shifting.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
@@ -13,24 +13,24 @@ inline namespace FRESHET_ISA {
 /// bound is 0.2 h, in steps that the flow rules (0.4 h/U); where sound does, the other is the same
 /// speed. What sees a wall stays: the flow would press it back, and along it particles would gain
 /// energy by shifts as large as these.
-template <int D, class B, template <int> class Kernel> struct Lind2012 final : Shifting<D, B> {
-  using typename Shifting<D, B>::Fluid;
+template <int D, class B, template <int> class Kernel> struct Lind2012 final : Force<D, B> {
+  using typename Force<D, B>::Fluid;
   ConcentrationShifting<D, B, Kernel> shift;
   ShiftingAtSurface<D, B, Kernel> surface;
   Real h;
-  Lind2012(Kernel<D> W, Real m, Real rho0, Real h, Real W_spacing)
-      : shift{W, m, rho0, W_spacing, {}, {}, {}}, surface{W, {}}, h(h) {}
+  Lind2012(const ForceParameters<D>& c, Kernel<D> W)
+      : shift{W, c.m, c.rho0, c.W_spacing, {}, {}, {}}, surface{W, {}}, h(c.h) {}
+  static bool acts(const ForceParameters<D>& c) { return c.shifting == ShiftingMethod::lind2012; }
 
   void fields(FieldMaker<D>& maker) override {
     shift.fields(maker);
     surface.fields(maker);
   }
-  void find(B& backend, const Fluid& f, const Walls<D>& w, Real dt, PerLiquid,
-            Field<Vec<D>>) override {
+  void add(B& backend, const Fluid& f, const Walls<D>& w, Real dt, Field<Vec<D>>) override {
     const auto u = shift.u, edge = surface.edge;
     const Real U = shift.fastest(backend, f), per_dt = dt > 0 ? 1 / dt : 0;
     const Real factor = -square(h) / 2 * per_dt, most = min(Real(0.2f) * h * per_dt, U / 2);
-    const Real inside = this->inside;
+    const Real inside = inside_from<D>;
     shift.sum_crowd(backend, f, w, [=] FRESHET_LAMBDA(int i, const Lind2012Sums<D, Real>& sum) {
       const Vec<D> at = factor * sum.crowd;
       const Real fast = norm(at);

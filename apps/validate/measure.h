@@ -2,8 +2,8 @@
 #pragma once
 #include <filesystem>
 
-#include "freshet/validate.h"
 #include "run/table.h"
+#include "validate/validate.h"
 
 namespace freshet {
 

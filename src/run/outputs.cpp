@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "io/frame_data.h"
+#include "io/video.h"
+#include "render/draw.h"
+#include "render/png.h"
+#include "run/body_table.h"
+#include "run/observables.h"
+#include "run/output.h"
+#include "scene/model/body_mesh.h"
+#include "scene/model/body_shape.h"
+#include "sim/probes.h"
+
+namespace freshet {
+namespace {
+
+std::shared_ptr<Frame> frame_of(const RunSite& site) {
+  return std::make_shared<Frame>(site.sim.frame());
+}
+
+/// observables.csv: a row of sums and extremes.
+class Observables final : public Output {
+ public:
+  explicit Observables(const RunSite& site) : site_(site) {}
+  const char* name() const override { return "observables"; }
+  std::vector<std::string> files() const override { return {file}; }
+  void start() override { site_.tables.begin(file, observables_header(site_.sim.scene())); }
+  bool due(const StepTaken& step) const override { return site_.schedule.observe_after(step); }
+  void write(const StepTaken&) override {
+    RunRecord& record = site_.record;
+    record.wall_forces = site_.sim.wall_forces(record.observed);
+    record.flows = site_.sim.flows(record.observed);
+    record.observed = site_.sim.moment();
+    site_.tables.add(file, observables_line(site_.sim, record.wall_forces, record.flows));
+  }
+
+ private:
+  static constexpr const char* file = "observables.csv";
+  RunSite site_;
+};
+
+/// bodies.csv, and in 3D the mesh of each body. Rows stand at the moments of the observables and of
+/// the data files, so that every data file can be drawn with its bodies.
+class BodyTable final : public Output {
+ public:
+  explicit BodyTable(const RunSite& site) : site_(site) {}
+  const char* name() const override { return "bodies"; }
+  std::vector<std::string> files() const override {
+    std::vector<std::string> all{file};
+    for (std::size_t k = 0; k < meshes(); ++k) all.push_back(mesh_file(k));
+    return all;
+  }
+  void start() override {
+    const Scene& scene = site_.sim.scene();
+    site_.tables.begin(file, body_header(scene));
+    for (std::size_t k = 0; k < meshes(); ++k)
+      site_.folder.write(mesh_file(k),
+                         encode_obj(body_mesh(scene.body[k]), body_shape(scene.body[k]).center,
+                                    scene.body_name(k)));
+  }
+  bool due(const StepTaken& step) const override {
+    return site_.schedule.observe_after(step) || site_.schedule.data_after(step);
+  }
+  void write(const StepTaken&) override { site_.tables.add(file, body_lines(site_.sim)); }
+
+ private:
+  static constexpr const char* file = "bodies.csv";
+  static std::string mesh_file(std::size_t k) { return fmt::format("bodies/body_{:03}.obj", k); }
+  std::size_t meshes() const {
+    const Scene& scene = site_.sim.scene();
+    return scene.dimension() == 3 ? scene.body.size() : 0;
+  }
+  RunSite site_;
+};
+
+/// probes/NAME.csv: the readings of each probe.
+class ProbeTables final : public Output {
+ public:
+  explicit ProbeTables(const RunSite& site) : site_(site), probes_(site.sim.scene()) {}
+  const char* name() const override { return "probes"; }
+  std::vector<std::string> files() const override {
+    std::vector<std::string> all;
+    for (std::size_t k = 0; k < probes_.size(); ++k) all.push_back(file(k));
+    return all;
+  }
+  void start() override {
+    for (std::size_t k = 0; k < probes_.size(); ++k) site_.tables.begin(file(k), probes_.header(k));
+  }
+  bool due(const StepTaken& step) const override {
+    for (std::size_t k = 0; k < probes_.size(); ++k)
+      if (site_.schedule.probe_after(k, step)) return true;
+    return false;
+  }
+  void write(const StepTaken& step) override {
+    const std::vector<std::string> lines = probes_.look(site_.sim);
+    for (std::size_t k = 0; k < lines.size(); ++k)
+      if (site_.schedule.probe_after(k, step)) site_.tables.add(file(k), lines[k]);
+  }
+  bool writes_the_end() const override { return false; }
+
+ private:
+  std::string file(std::size_t k) const { return probe_file(site_.sim.scene(), k); }
+  RunSite site_;
+  Probes probes_;
+};
+
+/// frames/frame_0000.png: pictures. The tables on disk keep up with them.
+class Pictures final : public Output {
+ public:
+  explicit Pictures(const RunSite& site) : site_(site) {}
+  const char* name() const override { return "frames"; }
+  std::vector<std::string> files() const override {
+    std::vector<std::string> all;
+    for (std::int64_t k = 0; k < site_.schedule.frames(); ++k) all.push_back(file(k));
+    return all;
+  }
+  bool due(const StepTaken& step) const override { return site_.schedule.frame_after(step); }
+  void write(const StepTaken&) override {
+    auto& times = site_.record.series[name()].times;
+    site_.background.add([site = site_, k = std::int64_t(times.size()), frame = frame_of(site_)] {
+      site.folder.write(file(k), encode_png(draw(site.sim.scene(), *frame)));
+    });
+    times.push_back(site_.sim.time());
+    site_.tables.flush();
+  }
+
+ private:
+  static std::string file(std::int64_t k) { return fmt::format("frames/frame_{:04}.png", k); }
+  RunSite site_;
+};
+
+/// data/frame_0000.*: the particles in the formats that the scene asks for.
+class DataFiles final : public Output {
+ public:
+  explicit DataFiles(const RunSite& site) : site_(site) {}
+  const char* name() const override { return "data"; }
+  std::vector<std::string> files() const override {
+    return data_files(site_.sim.scene().output, site_.schedule.data_frames());
+  }
+  bool due(const StepTaken& step) const override { return site_.schedule.data_after(step); }
+  void write(const StepTaken&) override {
+    auto& times = site_.record.series[name()].times;
+    times.push_back(site_.sim.time());
+    site_.background.add([site = site_, times, frame = frame_of(site_)] {
+      const Scene::Output& output = site.sim.scene().output;
+      const auto k = std::int64_t(times.size()) - 1;
+      for (const DataFormat format : output.data)
+        site.folder.write_more(data_file(format, k),
+                               encode_frame(format, *frame, DataFields(output)));
+      if (!has_time_series(output)) return;
+      std::vector<std::string> names;
+      for (std::int64_t n = 0; n <= k; ++n) names.push_back(data_file(DataFormat::vtp, n));
+      site.folder.write(pvd_file, encode_pvd(times, names));
+    });
+  }
+
+ private:
+  static bool has_time_series(const Scene::Output& output) {
+    return std::find(output.data.begin(), output.data.end(), DataFormat::vtp) != output.data.end();
+  }
+  RunSite site_;
+};
+
+/// A video outside the run's folder, at its own rate of frames.
+class VideoFile final : public Output {
+ public:
+  VideoFile(const RunSite& site, const VideoOptions& options) : site_(site), options_(options) {}
+  const char* name() const override { return "video"; }
+  std::vector<std::string> files() const override { return {}; }
+  void start() override {
+    const auto& picture = site_.sim.scene().picture;
+    video_ = std::make_shared<Video>(options_.file, int(picture.width), int(picture.height),
+                                     options_.fps);
+  }
+  bool due(const StepTaken& step) const override { return is_due(step.after); }
+  void write(const StepTaken&) override {
+    int times = 0;
+    for (; is_due(site_.sim.time()); ++shown_) ++times;
+    site_.background.add([site = site_, video = video_, times, frame = frame_of(site_)] {
+      const Image image = draw(site.sim.scene(), *frame);
+      for (int k = 0; k < times; ++k) video->add(image);
+    });
+  }
+  bool writes_the_end() const override { return false; }
+  void finish() override { video_->finish(); }
+
+ private:
+  bool is_due(double time) const { return double(shown_) / options_.fps <= time + 1e-12; }
+  RunSite site_;
+  VideoOptions options_;
+  std::shared_ptr<Video> video_;
+  std::int64_t shown_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<Output>> outputs_of(const RunSite& site,
+                                                const std::optional<VideoOptions>& video) {
+  const Scene& scene = site.sim.scene();
+  std::vector<std::unique_ptr<Output>> all;
+  all.push_back(std::make_unique<Observables>(site));
+  if (!scene.body.empty()) all.push_back(std::make_unique<BodyTable>(site));
+  if (!scene.probe.empty()) all.push_back(std::make_unique<ProbeTables>(site));
+  all.push_back(std::make_unique<Pictures>(site));
+  if (!scene.output.data.empty()) all.push_back(std::make_unique<DataFiles>(site));
+  if (video) all.push_back(std::make_unique<VideoFile>(site, *video));
+  return all;
+}
+
+}  // namespace freshet
