@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Reduces every kind of key to one call: its type in words, its default, its words.
+/// Reduces every kind of key to one call: its type, its default and, of an enum, its names.
 class Describer : public KeyVisitor {
  public:
   void text(std::string_view n, std::string& v, const KeyDoc& d) override {
@@ -48,12 +48,12 @@ class Describer : public KeyVisitor {
   void number_or_word(std::string_view n, double&, bool&, const char* word,
                       const KeyDoc& d) override {
     words_ = {word};
-    key(n, "number or word", "", d);
+    key(n, "number or name", "", d);
     words_.clear();
   }
   void word(std::string_view n, int& v, Words words, const KeyDoc& d) override {
     words_ = {words.begin(), words.end()};
-    key(n, "word", v < 0 ? "" : fmt::format("\"{}\"", words_[std::size_t(v)]), d);
+    key(n, "name", v < 0 ? "" : fmt::format("\"{}\"", words_[std::size_t(v)]), d);
     words_.clear();
   }
   void texts(std::string_view n, std::vector<std::string>&, const KeyDoc& d) override {
@@ -64,7 +64,7 @@ class Describer : public KeyVisitor {
     std::string list;
     for (const int place : v)
       list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", words_[std::size_t(place)]);
-    key(n, "list of words", fmt::format("[{}]", list), d);
+    key(n, "list of names", fmt::format("[{}]", list), d);
     words_.clear();
   }
 
@@ -116,10 +116,10 @@ class SchemaWriter final : public Describer {
   void key(std::string_view name, std::string_view type, const std::string& fallback,
            const KeyDoc& doc) override {
     Json json;
-    if (type == "word") json = {{"enum", words_}};
-    else if (type == "list of words")
+    if (type == "name") json = {{"enum", words_}};
+    else if (type == "list of names")
       json = {{"type", "array"}, {"items", {{"enum", words_}}}, {"uniqueItems", true}};
-    else if (type == "number or word")
+    else if (type == "number or name")
       json = {{"oneOf", {number("number", doc), {{"enum", words_}}}}};
     else if (type == "list of strings")
       json = {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 2}, {"maxItems", 3}};
@@ -201,19 +201,52 @@ std::string scene_schema() {
 
 std::string scene_reference() {
   MarkdownWriter writer;
-  writer.out =
-      "# Scenes\n\n"
-      "A scene is a TOML file. Every key stands here, made from the table in "
-      "`src/scene/keys/keys.cpp`\n"
-      "that the parser itself checks against (`freshet schema --markdown` prints this page,\n"
-      "`freshet schema` the JSON Schema for editors). All units are SI. A scene has as many "
-      "dimensions\n"
-      "as `domain.max` has numbers, 2 or 3; every vector has that many. In two dimensions a "
-      "density "
-      "is\n"
-      "a mass per area; y is up in both. Unknown keys are errors, and so are keys that nothing "
-      "uses.\n";
-  writer.heading("At the top", "What the scene is.");
+  writer.out = R"(# Scenes
+
+A scene is a TOML file. This one drops a column of water, 1 m wide and 2 m high, in a tank:
+
+```toml
+title = "A column of water collapses"
+
+[domain]
+max = [4.0, 3.0]          # m; two numbers make a scene in 2D
+
+[particles]
+spacing = 0.02
+support_radius = 0.06
+
+[fluid]
+min = [0.0, 0.0]
+max = [1.0, 2.0]
+
+[solver]
+name = "delta_sph"
+kernel = "wendland_c2"
+
+[walls]
+method = "adami2012"
+slip = "free_slip"
+
+[time]
+end = 2.25
+step = "adaptive"
+step_max = 0.001
+```
+
+`freshet check my_scene.toml` checks it, `freshet run my_scene.toml` runs it. `freshet scenes` lists
+the bundled scenes.
+
+- All units are SI.
+- A scene has as many dimensions as `domain.max` has numbers, 2 or 3. Every vector has that many.
+- In 2D a density is a mass per area. y points up in 2D and 3D.
+- Unknown keys are errors. Keys that nothing uses are errors as well.
+- Paths of files are relative to the scene.
+
+This page and the JSON Schema for editors are generated: `freshet schema --markdown` prints this
+page, `freshet schema` the schema. Both come from the table in `src/scene/keys/keys.cpp`, which the
+parser reads too.
+)";
+  writer.heading("Top level", "Keys before the first table.");
   Scene defaults;
   visit_keys(writer, defaults);
   return writer.out;

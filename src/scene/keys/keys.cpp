@@ -16,75 +16,66 @@ void region_keys(KeyVisitor& v, Scene::Region& r, Words shapes, const KeyDoc& sh
   v.vector("min", r.min, {.unit = "m", .text = "lower corner of a box", .fallback = "none"});
   v.vector("max", r.max, {.unit = "m", .text = "upper corner of a box", .fallback = "none"});
   v.vector("center", r.center,
-           {.unit = "m", .text = "of a sphere or a cylinder", .fallback = "none"});
+           {.unit = "m", .text = "centre of a sphere or cylinder", .fallback = "none"});
   v.number("radius", r.radius,
            {.unit = "m",
-            .text = "of a sphere or a cylinder",
+            .text = "radius of a sphere or cylinder",
             .min = 0,
             .above = true,
             .fallback = "none"});
   v.vector("axis", r.axis,
            {.unit = "",
-            .text = "direction of a cylinder; its length does not matter",
+            .text = "direction of a cylinder; its length is ignored",
             .fallback = "along y"});
-  v.number("length", r.length,
-           {.unit = "m", .text = "of a cylinder", .min = 0, .above = true, .fallback = "none"});
+  v.number(
+      "length", r.length,
+      {.unit = "m", .text = "length of a cylinder", .min = 0, .above = true, .fallback = "none"});
   v.vector("point", r.point, {.unit = "m", .text = "any point of a plane", .fallback = "none"});
   v.vector("normal", r.normal,
            {.unit = "",
-            .text = "of a plane; `inside` is where it does not point; its length does not matter",
+            .text = "normal of a plane, pointing out of `inside`; its length is ignored",
             .fallback = "none"});
 }
 
 void file_keys(KeyVisitor& v, Scene::Region& r) {
   v.text("file", r.file,
          {.unit = "",
-          .text = "the points: `*.ply` (vertices with x, y, z and perhaps vx, vy, vz), `*.vtp` "
-                  "(points and perhaps an array `velocity`) or `*.csv` (a first line that names "
-                  "the columns x, y, z, vx, vy, vz); the mesh: `*.stl`, `*.obj` or `*.ply`; "
-                  "relative to the scene",
+          .text = "file of points (`*.ply`, `*.vtp`, `*.csv`) or of a mesh (`*.stl`, `*.obj`, "
+                  "`*.ply`), relative to the scene",
           .fallback = "none"});
   v.number("scale", r.scale,
            {.unit = "m",
-            .text = "what one unit of a mesh's file is: 0.001 for millimetres",
+            .text = "length of one unit of a mesh file: 0.001 for millimetres",
             .min = 0,
             .above = true});
   v.vector("rotation", r.rotation,
            {.unit = "°",
-            .text = "of a mesh about x, then y, then z, after scaling; [-90, 0, 0] stands up what "
-                    "has z upwards",
+            .text = "rotation of a mesh about x, then y, then z, after scaling; [-90, 0, 0] turns "
+                    "z upwards into y upwards",
             .fallback = "none"});
   v.vector("translation", r.translation,
-           {.unit = "m", .text = "of a mesh, after turning", .fallback = "none"});
+           {.unit = "m", .text = "translation of a mesh, after rotation", .fallback = "none"});
 }
 
 namespace {
 
 void fluid_keys(KeyVisitor& v, Scene::Fluid& f) {
-  region_keys(
-      v, f, shape_words,
-      {.unit = "",
-       .text = "`box`: particles fill min to max, the first half a spacing inside; "
-               "`lattice`: `count` particles, the first at `from`; `sphere` (in 2D a "
-               "disc), `cylinder` (3D), `plane` (all of the domain below it): the places "
-               "of such a lattice that lie inside; `mesh` (3D): so within the triangles of a "
-               "file; `points`: those of a file"},
-      {.unit = "",
-       .text = "`inside` of the shape, or the domain `outside` of it; what walls take up "
-               "is left out either way"});
+  region_keys(v, f, shape_words,
+              {.unit = "", .text = "shape of the fluid; `cylinder` and `mesh` in 3D only"},
+              {.unit = "", .text = "`inside` of the shape, or the domain `outside` of it"});
   file_keys(v, f);
   v.vector("from", f.from,
            {.unit = "m", .text = "first particle of a lattice", .fallback = "none"});
   v.counts("count", f.count,
            {.unit = "",
-            .text = "particles of a lattice along x, y and z",
+            .text = "number of particles of a lattice along x, y and z",
             .min = 1,
             .fallback = "none"});
   v.vector("velocity", f.velocity,
-           {.unit = "m/s", .text = "velocity at the start", .fallback = "at rest"});
+           {.unit = "m/s", .text = "initial velocity", .fallback = "at rest"});
   v.texts("velocity_field", f.velocity_field,
           {.unit = "m/s",
-           .text = "velocity at the start instead, a function of x, y, z [m] for each axis: "
+           .text = "initial velocity as functions instead: one of x, y, z [m] per axis, such as "
                    "`[\"sin(pi*x)\", \"0\"]`",
            .fallback = "none"});
   v.number(
@@ -96,28 +87,27 @@ void fluid_keys(KeyVisitor& v, Scene::Fluid& f) {
             .min = 0});
   v.text("color", f.color,
          {.unit = "",
-          .text = "`#rrggbb`, where picture.color_by is `liquid`",
+          .text = "`#rrggbb`; used by picture.color_by `liquid`",
           .fallback = "blue, amber, green and so on"});
   fluid_force_keys(v, f);
   v.choice("pressure", f.pressure, pressure_words,
            {.unit = "",
-            .text = "at the start: `zero`, every particle at rest density; `hydrostatic`, as the "
-                    "weight of the fluid above asks for (box, lattice and plane); the pressure "
-                    "solvers keep the density at rest"});
+            .text = "initial pressure: `zero`, or `hydrostatic` from the weight of the fluid above "
+                    "(box, lattice and plane)"});
   v.choice("outside", f.outside, outside_words,
            {.unit = "",
-            .text = "a particle that starts outside the domain is an error, or is left to the "
-                    "walls (`clamp`: the first step puts it onto the wall)"});
+            .text = "particles that start outside the domain: `error`, or `clamp` (the first step "
+                    "puts them onto the wall)"});
 }
 
 void wall_surface_keys(KeyVisitor& v, Slip& slip, double& restitution) {
   v.choice("slip", slip, slip_words,
            {.unit = "",
-            .text = "`no_slip`: fluid sticks to the wall; `free_slip`: it glides (`ghost`, "
+            .text = "`no_slip`: fluid sticks to the wall; `free_slip`: it slides (`ghost`, "
                     "`akinci2012` and `adami2012`)"});
   v.number("restitution", restitution,
            {.unit = "",
-            .text = "share of the normal speed that a particle keeps when a wall turns it back "
+            .text = "fraction of the normal speed that a particle keeps when a wall reflects it "
                     "(`reflection`)",
             .min = 0,
             .max = 1});
@@ -125,113 +115,97 @@ void wall_surface_keys(KeyVisitor& v, Slip& slip, double& restitution) {
 
 void wall_keys(KeyVisitor& v, Scene::Wall& w) {
   v.text("name", w.name,
-         {.unit = "", .text = "what its forces are reported under", .fallback = "wall[k]"});
+         {.unit = "", .text = "name of its forces in tables and reports", .fallback = "wall[k]"});
   region_keys(
       v, w, Words(shape_words).first(6),
       {.unit = "",
-       .text = "`box`, `sphere` (in 2D a disc), `cylinder` (3D), `plane`, the `mesh` of a file "
-               "(3D; one with holes is a sheet), or its `points`"},
-      {.unit = "", .text = "where the fluid is: `outside` of an obstacle, `inside` of a tank"});
+       .text = "shape of the wall; a `sphere` is a disc in 2D; `cylinder` and `mesh` in 3D only"},
+      {.unit = "", .text = "side of the fluid: `outside` of an obstacle, `inside` of a tank"});
   file_keys(v, w);
   v.choice("method", w.method, method_words,
            {.unit = "",
-            .text = "how it holds the fluid: see [walls]; `ghost` for a plane and the inside of a "
-                    "box, `monaghan2009`, `akinci2012` or `adami2012` for points",
+            .text = "method of the wall, see [walls]; `ghost` only for a plane and the inside of a "
+                    "box; points only with `monaghan2009`, `akinci2012` or `adami2012`",
             .fallback = "`reflection` for `mueller2003`, else `akinci2012`"});
   wall_surface_keys(v, w.slip, w.restitution);
   v.vector("velocity", w.velocity,
            {.unit = "m/s",
-            .text = "of its surface, which slides along itself as a belt does (`adami2012`)",
+            .text = "velocity of the surface, which slides along itself like a belt (`adami2012`)",
             .fallback = "at rest"});
 }
 
 void walls_keys(KeyVisitor& v, Scene::Walls& w) {
   v.choice("method", w.method, method_words,
            {.unit = "",
-            .text = "of the sides that are not given: `open` (nothing holds the fluid), "
-                    "`reflection` (particles are turned back), `ghost` (mirror images), or "
-                    "samples as in the papers Monaghan & Kajtar 2009, Akinci et al. 2012, Adami "
-                    "et al. 2012 (not with the pressure solvers; bodies are then made of such "
-                    "layers as well)",
+            .text = "method of the sides that are not set below",
             .fallback = "`reflection` for `mueller2003`, else `akinci2012`"});
   const auto side = [&](const char* name, std::optional<WallMethod>& method, const char* text) {
     v.choice(name, method, method_words, {.unit = "", .text = text, .fallback = "walls.method"});
   };
-  side("x_min", w.x_min, "method of the side where x is least");
-  side("x_max", w.x_max, "where x is greatest");
-  side("y_min", w.y_min, "of the bottom");
-  side("y_max", w.y_max, "of the top");
-  side("z_min", w.z_min, "where z is least (3D)");
-  side("z_max", w.z_max, "where z is greatest (3D)");
+  side("x_min", w.x_min, "side of minimum x");
+  side("x_max", w.x_max, "side of maximum x");
+  side("y_min", w.y_min, "bottom");
+  side("y_max", w.y_max, "top");
+  side("z_min", w.z_min, "side of minimum z (3D)");
+  side("z_max", w.z_max, "side of maximum z (3D)");
   wall_surface_keys(v, w.slip, w.restitution);
 }
 
 /// Of the solvers that solve for the pressure.
 void pressure_keys(KeyVisitor& v, Scene::Solver& s) {
-  v.number(
-      "density_tolerance", s.density_tolerance,
-      {.unit = "",
-       .text = "a step iterates until the mean of max(0, ρ*/ρ0 − 1), and of what pressures hold "
-               "further apart than at rest, is no more than this; pressure solvers",
-       .min = 1e-6,
-       .max = 0.1,
-       .fallback = "0.0001 for `dfsph`, else 0.001"});
-  v.number(
-      "divergence_tolerance", s.divergence_tolerance,
-      {.unit = "",
-       .text = "the same of what a step would change, the mean of max(0, Δt Dρ/Dt)/ρ0; `dfsph` "
-               "only",
-       .min = 1e-6,
-       .max = 1});
+  v.number("density_tolerance", s.density_tolerance,
+           {.unit = "",
+            .text = "maximum density error of a solve, as a fraction of ρ0; pressure solvers",
+            .min = 1e-6,
+            .max = 0.1,
+            .fallback = "0.0001 for `dfsph`, else 0.001"});
+  v.number("divergence_tolerance", s.divergence_tolerance,
+           {.unit = "",
+            .text = "maximum divergence error of a solve, as a fraction of ρ0; `dfsph` only",
+            .min = 1e-6,
+            .max = 1});
   v.integer("min_iterations", s.min_iterations,
             {.unit = "",
-             .text = "of a solve, even if its error is small before; pressure solvers",
+             .text = "minimum number of iterations of a solve; pressure solvers",
              .min = 1,
              .max = 1e6});
   v.integer("max_iterations", s.max_iterations,
             {.unit = "",
-             .text = "of a solve, even if its error is not small by then; pressure solvers",
+             .text = "maximum number of iterations of a solve; pressure solvers",
              .min = 1,
              .max = 1e6});
   v.boolean("warm_start", s.warm_start,
             {.unit = "",
-             .text = "whether a solve begins with what the last step's came to; `iisph` and "
-                     "`dfsph`"});
-  v.choice(
-      "iteration", s.iteration, iteration_words,
-      {.unit = "",
-       .text = "how `dfsph` iterates: `jacobi` is the paper's own, `nesterov` goes on along its "
-               "steps and needs fewer of them"});
+             .text = "start a solve from the pressures of the last step; `iisph` and `dfsph`"});
+  v.choice("iteration", s.iteration, iteration_words,
+           {.unit = "",
+            .text = "iteration of `dfsph`: `jacobi` as in the paper, or accelerated (`nesterov`), "
+                    "which needs fewer iterations"});
   v.number("xsph", s.xsph,
            {.unit = "",
-            .text = "share of the neighbours' mean velocity that a particle takes on in a step; "
-                    "pressure solvers",
+            .text = "fraction of the way to the neighbours' mean velocity that a particle goes per "
+                    "step; pressure solvers",
             .min = 0,
             .max = 1});
 }
 
 void solver_keys(KeyVisitor& v, Scene::Solver& s) {
   v.choice("name", s.name, solver_words(),
-           {.unit = "",
-            .text = "the method, named after its paper; `pcisph`, `iisph`, `dfsph` and `pbf` are "
-                    "the pressure solvers: each step iterates until the pressure keeps the "
-                    "density at rest"});
+           {.unit = "", .text = "the method, named after its paper"});
   v.choice("scheme", s.scheme, scheme_words,
            {.unit = "",
-            .text = "`paper`: the equations as published; `article`: as the teaching article runs "
-                    "them (see docs/article.md for the five differences)"});
+            .text = "`paper`: the equations as published; `article`: the variant of the teaching "
+                    "article, with five differences (docs/article.md)"});
   v.choice(
       "backend", s.backend, backend_words,
-      {.unit = "",
-       .text =
-           "what computes: `cpu` has threads and SIMD; `reference` is scalar, the truth that `cpu` "
-           "equals to the bit"});
+      {.unit = "", .text = "`cpu`: threads and SIMD; `reference`: scalar, with the same bits"});
   v.choice("search", s.search, search_words,
-           {.unit = "", .text = "how neighbours are found: O(N) or O(N²), to the same bits"});
+           {.unit = "",
+            .text = "neighbour search: `grid` is O(N), `all_pairs` O(N²), with the same bits"});
   v.choice("neighbor_order", s.neighbor_order, order_words,
            {.unit = "",
-            .text = "order of a particle's sum: by cell, then id; or by id, as a loop over all "
-                    "particles has it"});
+            .text = "order of summation over neighbours: by cell, then id; or by id, like a loop "
+                    "over all particles"});
   v.number("stiffness", s.stiffness,
            {.unit = "m²/s²",
             .text = "k in p = k(ρ − ρ0), the square of the speed of sound; `mueller2003` only",
@@ -239,31 +213,33 @@ void solver_keys(KeyVisitor& v, Scene::Solver& s) {
             .above = true,
             .fallback = "(10 · √(2 g · height of the domain))²"});
   v.choice("kernel", s.kernel, kernel_words,
-           {.unit = "", .text = "smoothing kernel; `mueller2003` has its own"});
+           {.unit = "", .text = "smoothing kernel; not for `mueller2003`, which has its own"});
   v.number("sound_speed", s.sound_speed,
            {.unit = "m/s",
-            .text = "c in Tait's equation of state; `wcsph` and `delta_sph`",
+            .text = "speed of sound c in Tait's equation of state; `wcsph` and `delta_sph`",
             .min = 0,
             .above = true,
             .fallback = "10 · √(2 g · height of the domain)"});
   v.number("artificial_viscosity", s.artificial_viscosity,
            {.unit = "",
-            .text = "α of Monaghan's term; `wcsph` and `delta_sph`",
+            .text = "α of Monaghan's artificial viscosity; `wcsph` and `delta_sph`",
             .min = 0,
-            .fallback = "0.05; 0 where solver.viscosity_method is another than `artificial`"});
+            .fallback = "0.05; 0 if solver.viscosity_method is not `artificial`"});
   v.choice("density_diffusion", s.density_diffusion, diffusion_words,
            {.unit = "",
-            .text = "the term of `delta_sph`, named after its paper",
+            .text = "density diffusion of `delta_sph`, named after its paper",
             .fallback = "`fourtakas2019`; `antuono2010` for several liquids"});
-  v.number("delta", s.delta, {.unit = "", .text = "δ, its strength; `delta_sph` only", .min = 0});
+  v.number(
+      "delta", s.delta,
+      {.unit = "", .text = "δ, strength of the density diffusion; `delta_sph` only", .min = 0});
   v.number("background_pressure", s.background_pressure,
            {.unit = "Pa",
-            .text = "added to the pressure, so that it is positive everywhere in a flow that fills "
-                    "its space; `wcsph` and `delta_sph`",
+            .text = "constant added to the pressure, to keep it positive in flows without a free "
+                    "surface; `wcsph` and `delta_sph`",
             .min = 0});
   v.number("speed_limit", s.speed_limit,
            {.unit = "m/s",
-            .text = "faster particles are slowed to it (scheme `article` only)",
+            .text = "maximum speed of a particle (scheme `article` only)",
             .min = 0,
             .above = true,
             .fallback = "none"});
@@ -283,27 +259,32 @@ Words solver_words() {
 }
 
 void visit_keys(KeyVisitor& v, Scene& s) {
-  v.text("title", s.title, {.unit = "", .text = "a line for the list of scenes"});
+  v.text("title", s.title, {.unit = "", .text = "one line for `freshet scenes`"});
   v.text("description", s.description, {.unit = "", .text = "what the scene shows"});
-  v.section("domain", "The box that the fluid lives in.", [&] {
-    v.vector("min", s.domain.min, {.unit = "m", .text = "lower corner", .fallback = "the origin"});
-    v.vector("max", s.domain.max,
-             {.unit = "m",
-              .text = "upper corner; 2 numbers make a scene in 2D, 3 in 3D",
-              .required = true});
-    v.vector("gravity", s.domain.gravity,
-             {.unit = "m/s²", .text = "acceleration of gravity", .fallback = "9.81 along −y"});
-    v.texts(
-        "body_force", s.domain.body_force,
-        {.unit = "m/s²",
-         .text = "acceleration beside gravity, a function for each axis of x, y, z [m] and t "
-                 "[s]: `[\"9.81*sin(t)\", \"0\"]`; pi, + - * / ^, sin, cos, tan, exp, sqrt, abs, "
-                 "min, max and more, `(t < 1 ? 2 : 0)`",
-         .fallback = "none"});
-    v.choice("periodic", s.domain.periodic, axes_words,
-             {.unit = "", .text = "axes along which the domain repeats itself"});
-  });
-  v.section("particles", "How the fluid is cut into particles.", [&] {
+  v.section(
+      "domain", R"(The box that holds the fluid.
+
+The functions of a scene (`body_force`, `fluid.velocity_field`, `body.position`,
+`body.angle`) know pi, + - * / ^, sin, cos, tan, exp, sqrt, abs, min, max and more. `(t
+< 1 ? 2 : 0)` is 2 before t = 1 s, then 0.)",
+      [&] {
+        v.vector("min", s.domain.min,
+                 {.unit = "m", .text = "lower corner", .fallback = "the origin"});
+        v.vector("max", s.domain.max,
+                 {.unit = "m",
+                  .text = "upper corner; 2 numbers for a scene in 2D, 3 for 3D",
+                  .required = true});
+        v.vector(
+            "gravity", s.domain.gravity,
+            {.unit = "m/s²", .text = "gravitational acceleration", .fallback = "9.81 along −y"});
+        v.texts("body_force", s.domain.body_force,
+                {.unit = "m/s²",
+                 .text = "acceleration in addition to gravity: one function of x, y, z [m] and t "
+                         "[s] per axis, such as `[\"9.81*sin(t)\", \"0\"]`",
+                 .fallback = "none"});
+        v.choice("periodic", s.domain.periodic, axes_words, {.unit = "", .text = "periodic axes"});
+      });
+  v.section("particles", "Size and arrangement of the particles.", [&] {
     v.number("spacing", s.particles.spacing,
              {.unit = "m",
               .text = "distance of neighbours at the start",
@@ -312,7 +293,7 @@ void visit_keys(KeyVisitor& v, Scene& s) {
               .required = true});
     v.number("support_radius", s.particles.support_radius,
              {.unit = "m",
-              .text = "where the kernels end (the paper's h)",
+              .text = "radius at which the kernels end (h of Müller et al. 2003)",
               .min = 0,
               .above = true,
               .fallback = "2 × spacing"});
@@ -321,65 +302,124 @@ void visit_keys(KeyVisitor& v, Scene& s) {
               .text = "mass of a particle (scheme `article` only)",
               .min = 0,
               .above = true,
-              .fallback = "rest_density × spacing² in 2D, spacing³ in 3D"});
+              .fallback = "rest_density × spacing² in 2D, × spacing³ in 3D"});
     v.number("jitter", s.particles.jitter,
              {.unit = "m",
-              .text = "each coordinate moves by a uniform random number up to this, either way",
+              .text = "maximum random displacement of each coordinate, uniform in both directions",
               .min = 0});
-    v.integer("seed", s.particles.seed,
-              {.unit = "", .text = "seed of the jitter", .min = 0, .max = 4294967295.0});
+    v.integer(
+        "seed", s.particles.seed,
+        {.unit = "", .text = "seed of the random displacements", .min = 0, .max = 4294967295.0});
   });
-  v.tables("fluid", "A body of fluid: `[fluid]` for one, `[[fluid]]` for several.", s.fluid,
-           [&](Scene::Fluid& f) { fluid_keys(v, f); });
-  v.tables("wall", "An obstacle or a tank: `[wall]` for one, `[[wall]]` for several.", s.wall,
-           [&](Scene::Wall& w) { wall_keys(v, w); });
-  v.tables("inlet", "Where liquid comes in: `[inlet]` for one, `[[inlet]]` for several.", s.inlet,
-           [&](Scene::Inlet& in) { inlet_keys(v, in); });
-  v.tables("outlet", "Where liquid leaves: `[outlet]` for one, `[[outlet]]` for several.", s.outlet,
-           [&](Scene::Outlet& out) {
+  v.tables("fluid", R"(A volume of fluid: `[fluid]` for one, `[[fluid]]` for several.
+
+- `box`: particles from `min` to `max`, the first half a spacing inside.
+- `lattice`: `count` particles along the axes, the first at `from`.
+- `sphere` (in 2D a disc), `cylinder` (3D), `plane` (the domain below it), `mesh` (3D,
+  from `file`): a lattice fills the box around the shape, and the places inside the
+  shape become particles.
+- `points`: the particles of `file`.
+
+Places in walls, bodies and the zones of inlets, or closer to them than half a spacing,
+are excluded.
+
+A `*.ply` of points has vertices with x, y, z and optionally vx, vy, vz. A `*.vtp` has
+points and optionally an array `velocity`. The first line of a `*.csv` names the columns
+x, y, z, vx, vy, vz.)",
+           s.fluid, [&](Scene::Fluid& f) { fluid_keys(v, f); });
+  v.tables("wall", R"(An obstacle or a tank: `[wall]` for one, `[[wall]]` for several.
+
+A mesh with holes is a sheet. [fluid] describes the files of points.)",
+           s.wall, [&](Scene::Wall& w) { wall_keys(v, w); });
+  v.tables("inlet", R"(An opening where liquid enters: `[inlet]` for one, `[[inlet]]` for several.
+
+With `recycle` an inlet has no other supply: liquid that leaves through the outlet
+enters again here, in whole layers. A layer enters as soon as the one before has made
+room.)",
+           s.inlet, [&](Scene::Inlet& in) { inlet_keys(v, in); });
+  v.tables("outlet", R"(A region where liquid leaves: `[outlet]` for one, `[[outlet]]` for several.
+
+After each step, the particles in it are removed.)",
+           s.outlet, [&](Scene::Outlet& out) {
              outlet_keys(v, out);
              region_keys(
                  v, out, Words(shape_words).first(4),
                  {.unit = "",
-                  .text = "`box`, `sphere` (in 2D a disc), `cylinder` (3D) or `plane`; a "
-                          "particle that is in it after a step is taken away"},
+                  .text = "shape of the region; a `sphere` is a disc in 2D; `cylinder` in 3D only"},
                  {.unit = "", .text = "`inside` of the shape, or the domain `outside` of it"});
            });
   v.tables("counter",
-           "Counts what goes through a piece of a plane, or the whole plane: `[counter]` for one, "
+           "Counts the flow through a plane, or through a piece of it: `[counter]` for one, "
            "`[[counter]]` for several.",
            s.counter, [&](Scene::Counter& c) { counter_keys(v, c); });
   v.tables("probe",
-           "Where the fluid is asked while it flows: `[probe]` for one, `[[probe]]` for several; "
-           "each fills probes/NAME.csv.",
+           R"(A measurement during the run: `[probe]` for one, `[[probe]]` for several. Each writes
+probes/NAME.csv.
+
+- `point`: fluid fraction, velocity, density and pressure at a point.
+- `line`: these fields at `count` points of a line.
+- `plane`: these fields at points of a rectangle along the axes.
+- `surface`: how far the fluid reaches along a line. Upwards this is the water height,
+  along the floor the position of the front.
+- `wall`: the traction on a rectangle of a wall along the axes, in 2D on a segment.
+  Traction is the force of the fluid per area; its normal component is the pressure on
+  the wall.)",
            s.probe, [&](Scene::Probe& p) { probe_keys(v, p); });
   body_keys(v, s);
-  v.section("solver", "The method and what computes it.", [&] { solver_keys(v, s.solver); });
-  v.section("air", "What the liquid flies through.", [&] { air_keys(v, s.air); });
-  v.section("walls", "The sides of the domain.", [&] { walls_keys(v, s.walls); });
-  v.section("time", "How long, and in what steps.", [&] {
+  v.section(
+      "solver",
+      R"(The method, and the backend that computes it. docs/solvers.md and docs/forces.md explain
+the choices.
+
+- The pressure solvers are `pcisph`, `iisph`, `dfsph` and `pbf`. Each step iterates
+  until the pressure keeps the density at rest.
+- The density error is the larger of two means over the fluid: of max(0, ρ*/ρ0 − 1), and
+  of what pressures hold further apart than at rest. The divergence error takes Δt
+  Dρ/Dt/ρ0 in place of ρ*/ρ0 − 1.
+- Viscosity: `artificial` has a strength of its own, `artificial_viscosity`; the other
+  methods take `fluid.viscosity`. `monaghan2005` and `morris1997` limit the time step.
+  `weiler2018` solves for the velocities and does not limit it.
+- Surface tension: `morris2000` acts by the curvature of the surface, with σ in N/m.
+  `akinci2013` acts by the attraction of particles near the surface, for splashes and
+  wetted walls.
+- Particle shifting: `lind2012` shifts by the same displacement in each step, `sun2017`
+  in proportion to the speed of the flow, `adami2013` by a pressure that moves the
+  particles but not the flow.)",
+      [&] { solver_keys(v, s.solver); });
+  v.section("air", "The air around the liquid.", [&] { air_keys(v, s.air); });
+  v.section("walls", R"(The sides of the domain, and the methods of walls.
+
+- `open`: the fluid leaves.
+- `reflection`: particles are reflected.
+- `ghost`: mirror images of the fluid.
+- `monaghan2009`: boundary particles that repel, after Monaghan & Kajtar 2009.
+- `akinci2012`: boundary particles after Akinci et al. 2012.
+- `adami2012`: layers of boundary particles after Adami et al. 2012, not with the
+  pressure solvers. If it is `walls.method`, bodies are made of such layers, too.)",
+            [&] { walls_keys(v, s.walls); });
+  v.section("time", "Duration and time step.", [&] {
     v.number("end", s.time.end,
              {.unit = "s", .text = "simulated time", .min = 0, .above = true, .required = true});
     v.number_or_word("step", s.time.step, s.time.adaptive, "adaptive",
                      {.unit = "s",
-                      .text = "time step; the run takes round(end/step) steps. `\"adaptive\"`: as "
-                              "long as is stable, at most step_max",
+                      .text = "time step; a run takes round(end/step) steps. `\"adaptive\"`: the "
+                              "longest stable step, at most step_max",
                       .min = 0,
                       .above = true,
                       .required = true});
     v.number("step_max", s.time.step_max,
              {.unit = "s",
-              .text = "longest adaptive step",
+              .text = "maximum of an adaptive step",
               .min = 0,
               .above = true,
-              .fallback = "none; an adaptive step needs it"});
+              .fallback = "none; required for adaptive steps"});
     v.boolean("retry", s.time.retry,
               {.unit = "",
-               .text = "whether a step whose solve does not converge is taken back, and taken in "
-                       "halves; pressure solvers"});
+               .text = "roll back a step whose solve did not converge, and repeat it in halves; "
+                       "pressure solvers"});
     v.choice("integrator", s.time.integrator, integrator_words,
              {.unit = "",
-              .text = "how a step moves the particles; the pressure solvers have their own",
+              .text = "time integration; the pressure solvers have their own",
               .fallback = "`symplectic_euler` for `wcsph`, else `leapfrog`"});
   });
   output_keys(v, s);

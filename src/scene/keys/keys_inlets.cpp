@@ -9,54 +9,56 @@ namespace {
 void opening_keys(KeyVisitor& v, Scene::Opening& o, std::string_view fallback,
                   const KeyDoc& direction) {
   v.text("name", o.name,
-         {.unit = "", .text = "what its flow is reported under", .fallback = fallback});
-  v.vector("center", o.center, {.unit = "m", .text = "its middle", .required = true});
+         {.unit = "", .text = "name of its flow in tables and reports", .fallback = fallback});
+  v.vector("center", o.center, {.unit = "m", .text = "centre of the opening", .required = true});
   v.vector("direction", o.direction, direction);
   v.number("width", o.width,
            {.unit = "m",
-            .text = "of a slit (2D) or a rectangle (3D)",
+            .text = "width of a slit (2D) or rectangle (3D)",
+            .min = 0,
+            .above = true,
+            .fallback = "none"});
+  v.number("height", o.height,
+           {.unit = "m",
+            .text = "height of a rectangle (3D)",
             .min = 0,
             .above = true,
             .fallback = "none"});
   v.number(
-      "height", o.height,
-      {.unit = "m", .text = "of a rectangle (3D)", .min = 0, .above = true, .fallback = "none"});
-  v.number("radius", o.radius,
-           {.unit = "m", .text = "of a disc (3D)", .min = 0, .above = true, .fallback = "none"});
-  v.vector("up", o.up,
-           {.unit = "",
-            .text = "which way a rectangle's height goes, as far as that is across its direction",
-            .fallback = "y, or z where the direction is along y"});
+      "radius", o.radius,
+      {.unit = "m", .text = "radius of a disc (3D)", .min = 0, .above = true, .fallback = "none"});
+  v.vector(
+      "up", o.up,
+      {.unit = "",
+       .text =
+           "direction of a rectangle's height; only its part perpendicular to `direction` counts",
+       .fallback = "y; z if `direction` is along y"});
 }
 
 }  // namespace
 
 void inlet_keys(KeyVisitor& v, Scene::Inlet& in) {
-  opening_keys(v, in, "inlet[k]",
-               {.unit = "",
-                .text = "which way the liquid flows; its length does not matter",
-                .required = true});
+  opening_keys(
+      v, in, "inlet[k]",
+      {.unit = "", .text = "direction of the flow; its length is ignored", .required = true});
   v.number("speed", in.speed,
            {.unit = "m/s",
-            .text = "of the liquid in the opening; this or flow_rate",
+            .text = "speed of the liquid in the opening; set it or `flow_rate`",
             .min = 0,
             .above = true,
             .fallback = "none"});
   v.number("flow_rate", in.flow_rate,
            {.unit = "m³/s",
-            .text = "volume that comes in (m²/s in 2D); the speed follows from the area that the "
-                    "opening's particles stand for; this or speed",
+            .text = "inflow (m²/s in 2D), from which the speed follows by the area that the "
+                    "opening's particles represent; set it or `speed`",
             .min = 0,
             .above = true,
             .fallback = "none"});
-  v.number("start", in.start, {.unit = "s", .text = "when the flow begins", .min = 0});
+  v.number("start", in.start, {.unit = "s", .text = "start of the flow", .min = 0});
   v.number("stop", in.stop,
-           {.unit = "s", .text = "when it ends", .min = 0, .above = true, .fallback = "never"});
+           {.unit = "s", .text = "end of the flow", .min = 0, .above = true, .fallback = "never"});
   v.text("recycle", in.recycle,
-         {.unit = "",
-          .text = "name of an outlet: what leaves there comes in again here, in whole layers, as "
-                  "soon as the one before has made room; the inlet has no other supply",
-          .fallback = "none"});
+         {.unit = "", .text = "name of the outlet that supplies this inlet", .fallback = "none"});
   v.number(
       "rest_density", in.rest_density,
       {.unit = density_unit, .text = "density at zero pressure (ρ0)", .min = 0, .above = true});
@@ -65,20 +67,23 @@ void inlet_keys(KeyVisitor& v, Scene::Inlet& in) {
             .text = "dynamic viscosity (μ); `mueller2003` and the pressure solvers",
             .min = 0});
   v.text("color", in.color,
-         {.unit = "", .text = "as fluid.color", .fallback = "that of the liquid's place"});
+         {.unit = "",
+          .text = "colour, as `fluid.color`",
+          .fallback = "colour of the liquid by its position in the list"});
 }
 
 void outlet_keys(KeyVisitor& v, Scene::Outlet& out) {
   v.text("name", out.name,
-         {.unit = "", .text = "what its flow is reported under", .fallback = "outlet[k]"});
+         {.unit = "", .text = "name of its flow in tables and reports", .fallback = "outlet[k]"});
 }
 
 void counter_keys(KeyVisitor& v, Scene::Counter& c) {
-  opening_keys(v, c, "counter[k]",
-               {.unit = "",
-                .text = "what flows this way counts, what flows back is taken off; its length "
-                        "does not matter",
-                .required = true});
+  opening_keys(
+      v, c, "counter[k]",
+      {.unit = "",
+       .text =
+           "direction that counts as positive, backflow being subtracted; its length is ignored",
+       .required = true});
 }
 
 }  // namespace freshet

@@ -5,47 +5,45 @@ namespace freshet {
 namespace {
 
 void data_keys(KeyVisitor& v, Scene::Output& o) {
-  v.choices(
-      "data", o.data, data_words,
-      {.unit = "",
-       .text = "files of the particles beside the pictures: `vtp` (with a `*.pvd` of all "
-               "times, for ParaView), `ply` (Blender, Houdini), `csv`, `hdf5`; `[]` for none"});
+  v.choices("data", o.data, data_words,
+            {.unit = "",
+             .text = "formats of data files: `vtp` (ParaView, with a `*.pvd` of all times), `ply` "
+                     "(Blender, Houdini), `csv`, `hdf5`; `[]` for none"});
   v.choices("fields", o.fields, field_words,
-            {.unit = "", .text = "what these files hold besides the position"});
+            {.unit = "", .text = "fields of data files, besides the position"});
   v.choice("precision", o.precision, precision_words,
            {.unit = "",
-            .text = "of the numbers in data files; `float16` (`hdf5` only) halves velocity, "
-                    "density and pressure, unless they are beyond 65504"});
+            .text = "precision of data files; `float16` (`hdf5` only) halves the size of velocity, "
+                    "density and pressure, unless a value is beyond 65504"});
   v.integer("data_every_steps", o.data_every_steps,
             {.unit = "steps",
-             .text = "data files after step 0, after every so many steps, and after the last",
+             .text = "interval of data files; there is one after step 0 and after the last step",
              .min = 1,
              .max = 1e9,
              .fallback = "as the frames"});
   v.number("data_every", o.data_every,
            {.unit = "s",
-            .text = "the same in seconds",
+            .text = "interval of data files instead, in simulated seconds",
             .min = 0,
             .above = true,
             .fallback = "as the frames"});
 }
 
 void camera_keys(KeyVisitor& v, Scene::Camera& c) {
-  v.number("time", c.time, {.unit = "s", .text = "of a key frame", .min = 0});
+  v.number("time", c.time, {.unit = "s", .text = "time of a key frame", .min = 0});
   v.vector("position", c.position,
            {.unit = "m",
-            .text = "where the eye is",
-            .fallback = "in front, to the right and above, so that all of the domain is seen"});
+            .text = "position of the eye",
+            .fallback = "in front, to the right and above, with the whole domain in view"});
   v.vector("target", c.target,
-           {.unit = "m", .text = "what it looks at", .fallback = "the middle of the domain"});
+           {.unit = "m",
+            .text = "point at the centre of the picture",
+            .fallback = "centre of the domain"});
   v.number("field_of_view", c.field_of_view,
-           {.unit = "degrees",
-            .text = "angle from the bottom of the picture to its top",
-            .min = 1,
-            .max = 150});
+           {.unit = "degrees", .text = "vertical angle of view", .min = 1, .max = 150});
   v.number("orbit", c.orbit,
            {.unit = "degrees/s",
-            .text = "how fast it turns about the vertical through the target, to the right if > 0",
+            .text = "angular speed about the vertical through the target, to the right if > 0",
             .min = -36000,
             .max = 36000});
 }
@@ -58,38 +56,39 @@ void picture_keys(KeyVisitor& v, Scene& s) {
     v.choice("dots", p.dots, dots_words,
              {.unit = "",
               .text = "in 2D: `glow`, soft dots whose light adds up, as in the article; `solid`, "
-                      "discs that show the colours as they are"});
+                      "discs in the exact colours"});
     v.integer("dot_radius", p.dot_radius,
               {.unit = "px",
                .text = "radius of a particle's dot (2D)",
                .min = 1,
                .max = 200,
-               .fallback = "5; a little over half a spacing if `solid`"});
+               .fallback = "5; slightly more than half a spacing if `solid`"});
     v.numbers("window", p.window, 4,
               {.unit = "m",
-               .text = "what is seen in 2D: x_min, y_min, x_max, y_max",
+               .text = "visible region in 2D: x_min, y_min, x_max, y_max",
                .fallback = "the domain"});
     v.choice("color_by", p.color_by, color_by_words,
              {.unit = "",
-              .text = "what the colours tell; `density_error` is ρ/ρ0 − 1, `height` is y, `liquid` "
-                      "has a colour each"});
+              .text = "quantity that the colours show; `density_error` is ρ/ρ0 − 1, `height` is y, "
+                      "`liquid` gives each liquid a colour"});
     v.choice("color_map", p.color_map, color_map_words,
              {.unit = "",
-              .text = "the colours from the least value to the greatest",
+              .text = "colours from the minimum to the maximum",
               .fallback = "`article` in 2D, `water` in 3D"});
-    v.numbers("color_range", p.color_range, 2,
-              {.unit = "as color_by",
-               .text = "the least value and the greatest; beyond, the colours of the ends",
-               .fallback = "of each picture's particles; `speed` from 0 to at least 0.1 m/s"});
+    v.numbers(
+        "color_range", p.color_range, 2,
+        {.unit = "as color_by",
+         .text = "minimum and maximum; values beyond have the colours of the ends",
+         .fallback = "range of each picture's particles; `speed` from 0 to at least 0.1 m/s"});
     v.text("background", p.background,
            {.unit = "", .text = "`night`, `black`, `grey`, `white` or `#rrggbb`"});
-    v.boolean("time_stamp", p.time_stamp, {.unit = "", .text = "the time in a corner"});
-    v.boolean("scale_bar", p.scale_bar, {.unit = "", .text = "a bar and its length (2D)"});
-    v.boolean("color_bar", p.color_bar, {.unit = "", .text = "the colours and their values"});
+    v.boolean("time_stamp", p.time_stamp, {.unit = "", .text = "shows the time in a corner"});
+    v.boolean("scale_bar", p.scale_bar, {.unit = "", .text = "shows a bar and its length (2D)"});
+    v.boolean("color_bar", p.color_bar, {.unit = "", .text = "shows the colours and their values"});
   });
   v.tables("camera",
-           "Where a picture in 3D is seen from. `[camera]` for one that stands or orbits; "
-           "`[[camera]]` for several, key frames between which it moves smoothly.",
+           "The camera of pictures in 3D: `[camera]` for one that stands still or orbits, "
+           "`[[camera]]` for key frames between which it moves smoothly.",
            s.camera, [&](Scene::Camera& c) { camera_keys(v, c); });
 }
 
@@ -99,67 +98,71 @@ void output_keys(KeyVisitor& v, Scene& s) {
   v.section("output", "What a run writes, and how often.", [&] {
     v.integer("frame_every_steps", s.output.frame_every_steps,
               {.unit = "steps",
-               .text = "a frame after step 0, after every so many steps, and after the last",
+               .text = "interval of frames; there is one after step 0 and after the last step",
                .min = 1,
                .max = 1e9,
                .fallback = "a tenth of the run"});
     v.number("frame_every", s.output.frame_every,
              {.unit = "s",
-              .text = "instead of steps: a frame after the first step at or after each such time",
+              .text = "interval of frames instead, in simulated seconds: a frame after the first "
+                      "step at or after each such time",
               .min = 0,
               .above = true,
               .fallback = "a tenth of the run"});
     v.integer("observables_every_steps", s.output.observables_every_steps,
               {.unit = "steps",
-               .text = "a line of observables.csv after step 0, every so many steps, and the last",
+               .text = "interval of the lines of observables.csv; there is one after step 0 and "
+                       "after the last step",
                .min = 1,
                .max = 1e9,
                .fallback = "a hundredth of the run"});
     v.number("observables_every", s.output.observables_every,
              {.unit = "s",
-              .text = "the same in seconds",
+              .text = "interval of these lines instead, in simulated seconds",
               .min = 0,
               .above = true,
               .fallback = "a hundredth of the run"});
     data_keys(v, s.output);
     v.integer("checkpoint_every_steps", s.output.checkpoint_every_steps,
               {.unit = "steps",
-               .text = "a checkpoint after every so many steps, for `freshet resume`; the last two "
-                       "stay; there is one at the end, and on Ctrl-C, in any case",
+               .text = "interval of checkpoints for `freshet resume`; the last two are kept; there "
+                       "is always one at the end and on Ctrl-C",
                .min = 1,
                .max = 1e9,
-               .fallback = "every five minutes that the run takes"});
+               .fallback = "every five minutes of run time"});
     v.number("checkpoint_every", s.output.checkpoint_every,
              {.unit = "s",
-              .text = "the same in simulated seconds",
+              .text = "interval of checkpoints instead, in simulated seconds",
               .min = 0,
               .above = true,
-              .fallback = "every five minutes that the run takes"});
+              .fallback = "every five minutes of run time"});
   });
   picture_keys(v, s);
-  v.section("checks", "What must hold at the end; a run whose check fails exits with 1.", [&] {
-    v.integer("out_of_bounds_max", s.checks.out_of_bounds_max,
-              {.unit = "",
-               .text = "most particles further than a support radius outside the domain",
-               .min = 0,
-               .fallback = "unchecked"});
-    v.number("density_mean_min", s.checks.density_mean_min,
-             {.unit = density_unit, .text = "mean density is above", .fallback = "unchecked"});
+  v.section("checks", "Conditions at the end of a run. A run whose check fails exits with 1.", [&] {
+    v.integer(
+        "out_of_bounds_max", s.checks.out_of_bounds_max,
+        {.unit = "",
+         .text = "maximum number of particles further than a support radius outside the domain",
+         .min = 0,
+         .fallback = "unchecked"});
+    v.number(
+        "density_mean_min", s.checks.density_mean_min,
+        {.unit = density_unit, .text = "lower bound of the mean density", .fallback = "unchecked"});
     v.number("speed_mean_max", s.checks.speed_mean_max,
-             {.unit = "m/s", .text = "mean speed is below", .fallback = "unchecked"});
+             {.unit = "m/s", .text = "upper bound of the mean speed", .fallback = "unchecked"});
     v.number("height_mean_max", s.checks.height_mean_max,
-             {.unit = "m", .text = "mean height (y) is below", .fallback = "unchecked"});
-    v.number("bright_fraction_min", s.checks.bright_fraction_min,
-             {.unit = "",
-              .text = "share of bright pixels (R > 50 or G > 30) in the result is above",
-              .min = 0,
-              .max = 1,
-              .fallback = "unchecked"});
+             {.unit = "m", .text = "upper bound of the mean height (y)", .fallback = "unchecked"});
+    v.number(
+        "bright_fraction_min", s.checks.bright_fraction_min,
+        {.unit = "",
+         .text = "lower bound of the fraction of bright pixels (R > 50 or G > 30) in the result",
+         .min = 0,
+         .max = 1,
+         .fallback = "unchecked"});
     v.choice("when_wrong", s.checks.when_wrong, wrong_words,
              {.unit = "",
-              .text = "what a run does that cannot be right any more (see "
-                      "docs/when_it_goes_wrong.md): `stop`; or `warn` and go on as long as the "
-                      "numbers are finite, to exit with 1 all the same"});
+              .text = "when a run becomes unphysical (docs/when_it_goes_wrong.md): `stop`, or "
+                      "`warn` and continue while the numbers are finite; both exit with 1"});
   });
 }
 
