@@ -26,33 +26,34 @@ class CaseReader {
                 why);
   }
   std::string text(const char* key, const std::string& fallback = "") {
-    return value<std::string>(key, "a text in quotes").value_or(fallback);
+    return value<std::string>(key, "a string in quotes").value_or(fallback);
   }
   std::string needed(const char* key) {
     const std::string found = text(key);
-    if (found.empty()) fail(table_, fmt::format("{} is missing; give it as a text", key));
+    if (found.empty()) fail(table_, fmt::format("{} is missing; set it to a string", key));
     return found;
   }
   std::optional<double> number(const char* key) { return value<double>(key, "a number"); }
   std::vector<double> numbers(const char* key) { return values<double>(key, "numbers"); }
   std::vector<std::string> texts(const char* key) {
-    return values<std::string>(key, "texts in quotes");
+    return values<std::string>(key, "strings in quotes");
   }
   const toml::table* table(const char* key) {
     const toml::node* node = find(key);
-    if (node && !node->is_table()) fail(*node, fmt::format("{} is no table; write [{}]", key, key));
+    if (node && !node->is_table())
+      fail(*node, fmt::format("{} must be a table; write [{}]", key, key));
     return node ? node->as_table() : nullptr;
   }
   const toml::array* tables(const char* key) {
     const toml::node* node = find(key);
     if (node && !node->is_array_of_tables())
-      fail(*node, fmt::format("{} is no list of tables; write [[{}]]", key, key));
+      fail(*node, fmt::format("{} must be a list of tables; write [[{}]]", key, key));
     return node ? node->as_array() : nullptr;
   }
   void finish() const {
     for (const auto& [key, node] : table_)
       if (!known_.contains(std::string(key)))
-        fail(node, fmt::format("unknown key {}; there are {}", std::string(key),
+        fail(node, fmt::format("unknown key {}; the keys are {}", std::string(key),
                                fmt::join(known_, ", ")));
   }
   const fs::path& file() const { return file_; }
@@ -66,17 +67,17 @@ class CaseReader {
     const toml::node* node = find(key);
     if (!node) return {};
     const auto found = node->value<T>();
-    if (!found) fail(*node, fmt::format("{} is not {}; write it as one", key, what));
+    if (!found) fail(*node, fmt::format("{} must be {}", key, what));
     return found;
   }
   template <class T> std::vector<T> values(const char* key, const char* what) {
     std::vector<T> all;
     const toml::node* node = find(key);
     if (!node) return all;
-    if (!node->is_array()) fail(*node, fmt::format("{} is no list; write [{}]", key, what));
+    if (!node->is_array()) fail(*node, fmt::format("{} must be a list; write [{}]", key, what));
     for (const toml::node& element : *node->as_array()) {
       const auto found = element.value<T>();
-      if (!found) fail(element, fmt::format("{} is a list of {}; this is none", key, what));
+      if (!found) fail(element, fmt::format("{} must be a list of {}", key, what));
       all.push_back(*found);
     }
     return all;
@@ -121,15 +122,15 @@ ValidationMeasure measure_in(const toml::table& table, const fs::path& file) {
   m.reason = in.text("reason");
   in.finish();
   if ((m.bound || m.order) && m.reason.empty())
-    in.fail(table,
-            fmt::format("measure {} has a bound without a reason; say why it is so", m.name));
+    in.fail(table, fmt::format("measure {} has a bound without a reason; add one", m.name));
   if (m.since.empty() != m.since_when.empty())
-    in.fail(table, fmt::format("measure {} has since or since_when alone; give the table and the "
-                               "formula that holds from then on",
-                               m.name));
+    in.fail(table,
+            fmt::format("measure {} needs both since and since_when: a table, and the formula "
+                        "that starts the time",
+                        m.name));
   if (m.statistic.empty() && m.expected.empty() == m.reference.empty())
-    in.fail(table, fmt::format("measure {} needs one of expected, reference and statistic: what is "
-                               "the curve compared with?",
+    in.fail(table, fmt::format("measure {} needs one of expected, reference and statistic; set the "
+                               "one that applies",
                                m.name));
   return m;
 }
@@ -139,7 +140,8 @@ void check_solvers(CaseReader& in, const toml::table& table,
   const Words solvers = solver_words();
   for (const std::string& name : names)
     if (std::find(solvers.begin(), solvers.end(), name) == solvers.end())
-      in.fail(table, fmt::format("{} is no solver; there are {}", name, fmt::join(solvers, ", ")));
+      in.fail(table, fmt::format("unknown solver {}; the solvers are {}", name,
+                                 fmt::join(solvers, ", ")));
 }
 
 /// spacings, time steps, or values of what `vary` names: what the runs of a case differ by.
@@ -157,10 +159,9 @@ void read_resolutions(ValidationCase& c, CaseReader& in, const toml::table& root
   c.resolutions = resolutions_in(in);
   if (c.resolutions.empty() || int(root.contains("spacings")) + int(steps) + int(values) != 1)
     in.fail(root,
-            "spacings is a list of at least one, or steps, or values in its place; what is the "
-            "case run with?");
+            "set exactly one of spacings, steps and values, to a list of at least one number");
   if (values != root.contains("vary"))
-    in.fail(root, "vary and values stand together: a key of the scene, and what it is to be");
+    in.fail(root, "set vary and values together: a key of the scene, and its values");
   std::sort(c.resolutions.begin(), c.resolutions.end(), std::greater<>());
 }
 
@@ -173,7 +174,7 @@ ValidationMiss miss_in(const toml::table& table, const ValidationCase& c, const 
     if (std::none_of(c.measures.begin(), c.measures.end(), [&](const ValidationMeasure& m) {
           return name == m.name || (m.order && name == order_of(m));
         }))
-      in.fail(table, fmt::format("{} is no measure of this case; name one as it is", name));
+      in.fail(table, fmt::format("unknown measure {}; name a measure of this case", name));
   in.finish();
   return miss;
 }
@@ -190,7 +191,7 @@ ValidationCase read_validation_case(const fs::path& folder) {
     throw Error(
         Error::Kind::scene,
         at.line ? fmt::format("{}:{}:{}", file.string(), at.line, at.column) : file.string(),
-        fmt::format("{}; mend it, see another case for how one is written", e.description()));
+        fmt::format("{}; see a bundled case for an example", e.description()));
   }
   CaseReader in(root, file);
   ValidationCase c;
@@ -202,8 +203,7 @@ ValidationCase read_validation_case(const fs::path& folder) {
   c.scene = folder / in.text("scene", "scene.toml");
   c.solvers = in.texts("solvers");
   check_solvers(in, root, c.solvers);
-  if (c.solvers.empty())
-    in.fail(root, "solvers is a list of at least one; what is the case run with?");
+  if (c.solvers.empty()) in.fail(root, "solvers must list at least one solver");
   read_resolutions(c, in, root);
   if (const toml::table* set = in.table("set"))
     for (const auto& [solver, keys] : *set) {
@@ -221,7 +221,7 @@ ValidationCase read_validation_case(const fs::path& folder) {
   }
   if (const toml::array* measures = in.tables("measure"))
     for (const toml::node& m : *measures) c.measures.push_back(measure_in(*m.as_table(), file));
-  if (c.measures.empty()) in.fail(root, "no [[measure]]; what does the case look at?");
+  if (c.measures.empty()) in.fail(root, "no [[measure]]; add at least one");
   if (const toml::array* misses = in.tables("fails"))
     for (const toml::node& m : *misses) c.misses.push_back(miss_in(*m.as_table(), c, file));
   in.finish();

@@ -49,7 +49,7 @@ std::vector<double> evaluate(const std::string& formula, const Table& table,
     }
   } catch (const mu::Parser::exception_type& e) {
     throw Error(Error::Kind::scene, place,
-                fmt::format("the formula \"{}\" cannot be read: {}; there are {}, pi and the usual "
+                fmt::format("cannot parse the formula \"{}\": {}; it may use {}, pi and the usual "
                             "functions",
                             formula, e.GetMsg(), names));
   }
@@ -60,8 +60,8 @@ std::vector<double> evaluate(const std::string& formula, const Table& table,
 
 std::vector<double> evaluate(const std::string&, const Table&, const std::string& place) {
   throw Error(Error::Kind::scene, place,
-              "has formulas, and this Freshet was built without muParser, which reads them; "
-              "install libmuparser-dev and build it anew");
+              "formulas need muParser, and this Freshet was built without it; install "
+              "libmuparser-dev and build again");
 }
 
 #endif

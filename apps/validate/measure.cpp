@@ -27,8 +27,7 @@ constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 const std::vector<double>& times_of(const Table& table, const std::string& place) {
   const Column* time = table.find("time");
-  if (!time)
-    refuse(place, "a table has no time, at which another is looked at; leave `beside` out");
+  if (!time) refuse(place, "a table has no time column; `beside` and `since` need one");
   return time->numbers;
 }
 
@@ -77,7 +76,7 @@ void align(Curve& curve, const Curve& other, double value, const std::string& pl
     for (std::size_t k = 1; k < c.x.size(); ++k)
       if (c.y[k - 1] < value && c.y[k] >= value)
         return c.x[k - 1] + (value - c.y[k - 1]) / (c.y[k] - c.y[k - 1]) * (c.x[k] - c.x[k - 1]);
-    miss(place, fmt::format("neither curve may miss y = {}, at which they are aligned", value));
+    miss(place, fmt::format("both curves must reach y = {}, where they are aligned", value));
   };
   const double shift = reaches(other) - reaches(curve);
   for (double& x : curve.x) x += shift;
@@ -213,8 +212,7 @@ double at(const Curve& c, double x) {
 }
 
 double statistic(const std::string& word, const Curve& c, const std::string& place) {
-  if (c.y.empty())
-    miss(place, "no row of the run's table is left to measure; is the run too short?");
+  if (c.y.empty()) miss(place, "no rows to measure in the table of the run; is the run too short?");
   if (word == "mean") return mean(c.y);
   if (word == "max") return *std::max_element(c.y.begin(), c.y.end());
   if (word == "min") return *std::min_element(c.y.begin(), c.y.end());
@@ -225,9 +223,10 @@ double statistic(const std::string& word, const Curve& c, const std::string& pla
   if (word == "height") return height(c);
   if (word == "rate") return rate(c);
   if (word == "decay") return rate(crests(c));
-  refuse(place, fmt::format("statistic = \"{}\" is none of mean, min, max, last, slope, scatter, "
-                            "rate, decay, period and height; choose one",
-                            word));
+  refuse(place,
+         fmt::format("unknown statistic \"{}\"; choose mean, min, max, last, slope, scatter, "
+                     "rate, decay, period or height",
+                     word));
 }
 
 double difference(const std::string& norm, const Curve& curve, const Curve& expected,
@@ -243,11 +242,11 @@ double difference(const std::string& norm, const Curve& curve, const Curve& expe
     ++n;
   }
   if (n == 0)
-    miss(place, "the run and what is expected have no x in common; is the run too short?");
+    miss(place, "the run and the expected curve have no x in common; is the run too short?");
   if (norm == "max") return most;
   if (norm == "mean") return sum / n;
   if (norm == "rms") return std::sqrt(squares / n);
-  refuse(place, fmt::format("norm = \"{}\" is none of max, mean and rms; choose one", norm));
+  refuse(place, fmt::format("unknown norm \"{}\"; choose max, mean or rms", norm));
 }
 
 ValidationResult measure(const ValidationCase& c, const ValidationMeasure& m, Table table,

@@ -26,7 +26,7 @@ const char* word_of(const ValidationRun& r) {
   const bool after_all = (r.passed() && !r.expected_failure.empty()) ||
                          std::none_of(r.results.begin(), r.results.end(),
                                       [](auto& v) { return !v.passed && v.expected_miss.empty(); });
-  return r.error.empty() && after_all ? "passes what it was expected to miss" : "missed";
+  return r.error.empty() && after_all ? "passes, though expected to miss" : "missed";
 }
 
 /// Between a run and the next coarser one, of a measure that both have.
@@ -70,8 +70,9 @@ void add_run(std::string& page, const std::vector<ValidationRun>& of_case, const
     if (!v.plot.empty())
       page += fmt::format("<img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">\n",
                           escaped(v.name), base64(v.plot));
-  page += fmt::format("<img alt=\"the end\" src=\"data:image/png;base64,{}\">\n</div></details>\n",
-                      base64(r.picture));
+  page +=
+      fmt::format("<img alt=\"final state\" src=\"data:image/png;base64,{}\">\n</div></details>\n",
+                  base64(r.picture));
 }
 
 constexpr const char* page_head =
@@ -82,8 +83,9 @@ constexpr const char* page_head =
     "summary{cursor:pointer;margin:.4em 0}</style></head><body>\n";
 
 constexpr const char* overview_text =
-    "A fraction for each resolution, from the coarsest on: so many of its bounds are met. A star "
-    "stands by a run that misses what it is not expected to miss.";
+    "A fraction counts the bounds that a run meets: one fraction per resolution, the coarsest "
+    "first. "
+    "A star marks a run that does not meet or miss each bound as its case expects.";
 
 }  // namespace
 

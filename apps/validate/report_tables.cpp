@@ -91,8 +91,8 @@ std::string validation_summary(const std::vector<ValidationRun>& runs) {
     }
   }
   return fmt::format(
-      "{} of {} bounds are met ({:.0f} %). {} of {} runs meet and miss the bounds that their cases "
-      "expect.",
+      "{} of {} bounds are met ({:.0f} %). {} of {} runs meet or miss each bound as their case "
+      "expects.",
       met, bounds, bounds ? 100.0 * double(met) / double(bounds) : 0.0, expected, runs.size());
 }
 

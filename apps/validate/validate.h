@@ -97,8 +97,8 @@ struct ValidationRun {
   bool as_expected() const;
 };
 
-/// "564 of 823 bounds are met (69 %). 373 of 373 runs meet and miss the bounds that their cases
-/// expect."
+/// "564 of 823 bounds are met (69 %). 373 of 373 runs meet or miss each bound as their case
+/// expects."
 std::string validation_summary(const std::vector<ValidationRun>& runs);
 
 struct ValidateOptions {
