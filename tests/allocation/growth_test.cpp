@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a run holds in memory does not grow with its steps, but for the table of observables and
-// what its manifest says of each file.
+// The memory of a run does not grow with its steps, except for the table of observables and the
+// manifest's entry of each file.
 #include <gtest/gtest.h>
 #include <malloc.h>
 
@@ -13,13 +13,13 @@
 namespace freshet::test {
 namespace {
 
-TEST(Growth, IsNoneOver10000StepsOfARunThatWritesAllItCan) {
+TEST(Growth, IsBoundedByTableAndManifestOver10000Steps) {
   const TemporaryFolder folder;
   RunOptions options;
   options.output = folder / "run";
   options.scene_name = "growth";
   options.execution.threads = 1;
-  // the least that a stretch of steps held: jobs that wait come and go
+  // minimum over a range of steps: queued background jobs make the memory fluctuate
   std::size_t early = SIZE_MAX, late = SIZE_MAX;
   options.after_step = [&](const Simulation& sim, double) {
     const std::size_t held = mallinfo2().uordblks + mallinfo2().hblkhd;
@@ -38,7 +38,7 @@ TEST(Growth, IsNoneOver10000StepsOfARunThatWritesAllItCan) {
   const std::size_t table = fs::file_size(folder / "run/observables.csv");
   const std::size_t files = files_below(folder / "run").size();
   EXPECT_GT(files, 400u);
-  EXPECT_LT(late, early + 3 * table + 1000 * files) << "it held " << early << " bytes early on";
+  EXPECT_LT(late, early + 3 * table + 1000 * files) << "at first " << early << " bytes";
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace freshet {
 namespace {
 
-TEST(Confinement, NotesWhatEachWallGave) {
+TEST(Confinement, RecordsTheVelocityChangeByEachWall) {
   Confinement<2> c{};
   c.box = {{0, 0}, {1, 1}, 0.5f, 0b1111, false};
   Vec<2, double> bounced[2]{};
@@ -20,7 +20,7 @@ TEST(Confinement, NotesWhatEachWallGave) {
   EXPECT_EQ(-6, bounced[1].y);  // the high side along y turned 4 into -2
 }
 
-TEST(Confinement, SidesThatAreNoWallsLetPass) {
+TEST(Confinement, OpenSidesLetParticlesPass) {
   Confinement<2> c{};
   c.box = {{0, 0}, {1, 1}, 0.5f, 0b0001, false};
   Vec<2> x{0.5f, -3}, v{0, -1};
@@ -29,7 +29,7 @@ TEST(Confinement, SidesThatAreNoWallsLetPass) {
   EXPECT_EQ(-1, v.y);
 }
 
-TEST(Confinement, PeriodicAxesWrap) {
+TEST(Confinement, PeriodicAxesWrapPositions) {
   Confinement<3> c{};
   c.box = {{0, 0, 0}, {2, 2, 2}, 0.5f, 0, false};
   c.period = {2, 0, 0};
@@ -40,7 +40,7 @@ TEST(Confinement, PeriodicAxesWrap) {
   EXPECT_EQ(1, v.x);
 }
 
-TEST(Confinement, ShapesTurnBackAlongTheirNormal) {
+TEST(Confinement, ShapesReflectAlongTheirNormal) {
   Reflector<2> ball{{SolidKind::ball, {0, 0}, {}, {}, 1, 0, false}, 0.5f};
   Confinement<2> c{};
   c.shapes.data = &ball;
@@ -49,7 +49,7 @@ TEST(Confinement, ShapesTurnBackAlongTheirNormal) {
   c.bounced.data = bounced;
   Vec<2> x{0.8f, 0}, v{-1, 3};
   c(0, x, v);
-  EXPECT_FLOAT_EQ(1.1f, x.x);  // the overshoot of 0.2, halved, outside
+  EXPECT_FLOAT_EQ(1.1f, x.x);  // the overshoot of 0.2 times the restitution, outside
   EXPECT_FLOAT_EQ(0.5f, v.x);
   EXPECT_FLOAT_EQ(3, v.y);
   EXPECT_FLOAT_EQ(1.5f, float(bounced[2].x));
