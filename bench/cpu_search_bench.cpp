@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the neighbours (sort and lists) and a density pass of the cpu backend cost a particle, in
-// blocks whose particles move a little between the searches. The fastest of some rounds.
+// Time per particle of the cpu backend's neighbour search (sort and lists) and of a density pass,
+// in blocks whose particles move a little between searches. The fastest round counts.
 // Run: build/release/bin/freshet_cpu_search_bench [threads ...]
 #include <algorithm>
 #include <chrono>
@@ -18,7 +18,7 @@ namespace freshet {
 inline namespace FRESHET_ISA {
 namespace {
 
-/// A block of side^D particles a unit apart, each moved by up to 0.2 along each axis.
+/// A block of side^D particles of spacing 1; each is displaced by up to 0.2 along each axis.
 template <int D> void measure(int side, double support, int threads, int rounds) {
   CpuBackend<D> backend(threads);
   Particles<D> p;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a kernel costs in the cpu backend's loop over neighbours: a pass of densities, and one of
-// gradients. One thread; a support of two spacings, as search_bench.cpp has it.
+// Cost of a kernel in the cpu backend's loop over neighbours: a pass of densities and a pass of
+// gradients. One thread; the support is two spacings, as in search_bench.cpp.
 // Run: build/release/bin/freshet_bench --benchmark_filter=pass
 #include <benchmark/benchmark.h>
 

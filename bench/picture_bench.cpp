@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a picture of a million particles costs, at 1920 × 1080.
+// Time to draw a picture of 1920 × 1080 pixels of a million particles.
 // Run: build/release/bin/freshet_picture_bench
 #include <benchmark/benchmark.h>
 
@@ -11,7 +11,7 @@
 namespace freshet {
 namespace {
 
-/// A column of water with waves on it, in a tank that it half fills.
+/// Water with a wavy surface fills the left half of a tank.
 template <int D> void draw_water(benchmark::State& state) {
   const std::int64_t n = state.range(0);
   const int threads = int(state.range(1)), side = int(std::round(std::pow(double(n), 1.0 / D)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The neighbour searches over the number of particles: time per particle stays level with the
-// grids, and grows with N for all pairs; a KD-tree beside them. One thread each.
+// Time of the neighbour searches over the number of particles N: the time per particle is constant
+// for the grids and grows with N for all pairs. A KD-tree is compared. One thread each.
 // Run: build/release/bin/freshet_bench
 #include <benchmark/benchmark.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 constexpr Real h = 2;  // spacings
 
-/// About n particles on a lattice of spacing 1, sheared a little, in the order of its rows.
+/// About n particles on a slightly sheared lattice of spacing 1, in the order of its rows.
 template <int D> struct Lattice {
   std::vector<Vec<D>> x;
   std::vector<std::uint64_t> id;
@@ -90,7 +90,7 @@ BENCHMARK(cpu_backend<2>)->Apply(sizes_of_scenes);
 BENCHMARK(cpu_backend<3>)->Apply(sizes_of_scenes);
 
 #if defined(FRESHET_NANOFLANN)
-/// Builds the tree, then asks it for every particle's neighbours; they are written to one array.
+/// Builds the tree, then writes the neighbours of every particle to one array.
 template <int D, bool with_queries> void kd_tree(benchmark::State& state) {
   Lattice<D> lattice(state);
   const Particles<D> particles = lattice.particles();

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Debian's nanoflann is one header, without a package file of CMake's.
+# Debian's nanoflann is a single header without a CMake package file.
 find_path(nanoflann_INCLUDE_DIR nanoflann.hpp)
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(nanoflann REQUIRED_VARS nanoflann_INCLUDE_DIR)

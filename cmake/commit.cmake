@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Writes the commit into a header, at build time, and only when it changed.
+# Writes the commit into a header at build time, if it has changed.
 execute_process(COMMAND git -C ${SOURCE} rev-parse --short=12 HEAD OUTPUT_VARIABLE commit
                 OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE code)
 if(NOT code EQUAL 0)

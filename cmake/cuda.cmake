@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-# The solvers, pair terms and kernels compiled for GPUs. No fused multiply-add, IEEE division and roots: the
-# bits of the CPU.
+# Compiles solvers, pair terms and kernels for GPUs. No fused multiply-add, IEEE division and square
+# roots, so that a GPU computes the bits of the CPU.
 find_program(NVCC nvcc HINTS /usr/local/cuda/bin ENV CUDA_PATH PATH_SUFFIXES bin)
 if(NOT NVCC)
   message(FATAL_ERROR "FRESHET_CUDA is ON, and nvcc is not found: install CUDA 12.1 or newer, or use another preset")
 endif()
 set(CMAKE_CUDA_COMPILER ${NVCC})
 enable_language(CUDA)
-if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION)  # CMake 3.25 does not know that newer compilers have it
+if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION)  # CMake 3.25 does not know that newer compilers accept it
   set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION -std=c++20)
   set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20)
 endif()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Flags of everything that we compile. Contraction is off everywhere: the same bits on every machine.
+# Compiler flags of all targets. Contraction is off, so that every machine computes the same bits.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -10,7 +10,7 @@ add_library(freshet_flags INTERFACE)
 target_compile_options(freshet_flags INTERFACE -Wall -Wextra -Wpedantic -Werror
                                                -ffp-contract=off -fno-math-errno
                                                -fno-trapping-math)
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # g++ 12 sees overlaps and overflows inside std and fmt
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # g++ 12 warns of overlaps and overflows inside std and fmt
   target_compile_options(freshet_flags INTERFACE -Wshadow=local -Wno-restrict -Wno-stringop-overflow
                                                  -Wno-maybe-uninitialized)
 endif()
@@ -26,8 +26,8 @@ if(FRESHET_SANITIZE)
   target_link_options(freshet_flags INTERFACE -fsanitize=${FRESHET_SANITIZE})
 endif()
 
-# What waits for the library or runs once, where soon compiled is better than fast: tests that
-# compute, and what computes nothing: the program and the other tests.
+# Where compile time matters more than run time. freshet_quick: tests that compute. freshet_quickest:
+# the program and the other tests, which compute little.
 add_library(freshet_quick INTERFACE)
 target_link_libraries(freshet_quick INTERFACE freshet_flags)
 target_compile_options(freshet_quick INTERFACE -O1)
@@ -41,7 +41,7 @@ endif()
 
 find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # What includes a precompiled header is kept too, and one clone's objects serve the next.
+  # Caches objects that include a precompiled header too, and shares objects between clones.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros
       CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${CCACHE})
 endif()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The instruction sets that the cpu backend is compiled for, best first. The default is the best that
-# this machine runs. `base` is plain lanes, for machines of other kinds and for doubles.
+# The instruction sets that the cpu backend is compiled for, best first. The default is the best one of
+# this machine. `base` is portable C++, for other processors and for doubles.
 set(FRESHET_FLAGS_sse42 -march=x86-64-v2)
 set(FRESHET_FLAGS_avx2 -march=x86-64-v3)
 set(FRESHET_FLAGS_avx512 -march=x86-64-v4 -mprefer-vector-width=512)

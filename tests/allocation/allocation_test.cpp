@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Once warm, a step takes no memory: every way to it is counted here, so this is a program of its
-// own.
+// A warm step allocates no memory. The tests replace malloc to count its calls, so they are a
+// program of their own.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -38,7 +38,7 @@ void* aligned_alloc(std::size_t alignment, std::size_t n) {
 namespace freshet::test {
 namespace {
 
-/// Calls in 20 steps after 60.
+/// Calls in 20 steps, after 60 steps to warm up.
 long allocations(const std::string& text, int threads) {
   Simulation sim = simulation_of(text, "cpu", {threads, ""});
   for (int k = 0; k < 60; ++k) sim.step();
@@ -53,13 +53,13 @@ std::string tank(const std::string& solver, const std::string& walls, const std:
          solver + "sound_speed = 30.0\n[time]\nend = 1.0\n" + time;
 }
 
-TEST(Allocation, IsCounted) {
+TEST(Allocation, CallsAreCounted) {
   const long before = calls;
   const Simulation sim = simulation_of(tank("name = \"wcsph\"\n", "", "step = 0.0005\n"));
   EXPECT_GT(calls - before, 100);
 }
 
-TEST(Allocation, NoneInAWarmStep) {
+TEST(Allocation, WarmStepDoesNotAllocate) {
   for (const int threads : {1, 2}) {
     EXPECT_EQ(0, allocations(tank("name = \"wcsph\"\n", "", "step = 0.0005\n"), threads));
     EXPECT_EQ(0, allocations(tank("name = \"delta_sph\"\ndensity_diffusion = \"antuono2010\"\n",
@@ -74,8 +74,8 @@ TEST(Allocation, NoneInAWarmStep) {
   }
 }
 
-// An inlet that has stopped, an outlet that nothing meets, and a counter.
-TEST(Allocation, NoneWhereNothingComesOrGoes) {
+// The inlet has stopped, no particle reaches the outlet, and a counter counts.
+TEST(Allocation, WarmStepWithIdleFlowsDoesNotAllocate) {
   const std::string flows =
       "[inlet]\ncenter = [0.5, 0.8]\ndirection = [0, -1]\nwidth = 0.1\nspeed = 5\nstop = 0.01\n"
       "[outlet]\nmin = [2, 2]\nmax = [3, 3]\n[counter]\ncenter = [0.5, 0]\ndirection = [1, 0]\n";

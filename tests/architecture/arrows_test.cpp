@@ -57,7 +57,7 @@ bool is_system(const std::string& include) {
          posix.contains(include);
 }
 
-/// The room that a path lies in: its first folder, or a backend's own.
+/// The folder of a path: its first component, or backend/NAME.
 std::string folder_of(const std::string& path) {
   const std::size_t first = path.find('/'), second = path.find('/', first + 1);
   const std::string folder = path.substr(0, first);
@@ -78,7 +78,7 @@ std::map<fs::path, fs::path> sources() {
   return files;
 }
 
-TEST(Architecture, ArrowsPointOneWay) {
+TEST(Architecture, EveryIncludeFollowsAnArrow) {
   const std::regex line("\\s*#include [\"<]([^\">]+)[\">].*");
   int read = 0;
   for (const auto& [relative, file] : sources()) {
@@ -112,7 +112,7 @@ std::string diagram() {
   return lines;
 }
 
-TEST(Architecture, DocumentDrawsTheArrows) {
+TEST(Architecture, DocumentDrawsEveryArrow) {
   std::ifstream in(SOURCE_DIR "/docs/architecture.md");
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   EXPECT_NE(text.find("flowchart TD\n" + diagram() + "```"), std::string::npos)
@@ -120,7 +120,6 @@ TEST(Architecture, DocumentDrawsTheArrows) {
       << diagram();
 }
 
-/// Whether `to` can be reached from `from`.
 bool reaches(const std::string& from, const std::string& to, std::set<std::string>& seen) {
   if (!seen.insert(from).second) return false;
   for (const std::string& next : arrows.at(from))
@@ -135,8 +134,7 @@ TEST(Architecture, NoArrowPointsBack) {
   }
 }
 
-// The library never prints and never exits.
-TEST(Architecture, TheLibraryIsSilent) {
+TEST(Architecture, LibraryDoesNotPrintOrExit) {
   const std::regex forbidden(
       "std::(cout|cerr|clog|printf|puts)|fmt::print|\\bv?f?printf\\(|\\bf?put(s|c|char)\\(|"
       "\\b(stdout|stderr)\\b|\\b(exit|abort)\\(");
@@ -147,7 +145,7 @@ TEST(Architecture, TheLibraryIsSilent) {
   }
 }
 
-TEST(Architecture, AppsSeeThePublicHeadersOnly) {
+TEST(Architecture, AppsIncludePublicHeadersOnly) {
   const std::regex line("\\s*#include \"([^\"]+)\".*");
   for (const auto& entry : fs::recursive_directory_iterator(SOURCE_DIR "/apps/freshet")) {
     std::ifstream in(entry.path());

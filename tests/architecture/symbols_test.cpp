@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is compiled for one instruction set must not be taken for another: a linker keeps one of
-// many equal inline functions, and an AVX-512 one would end an older machine's run.
+// Code of one instruction set must not replace code of another. A linker keeps one of several
+// inline functions of equal name; if it kept an AVX-512 one, the program would crash on an older
+// machine.
 #include <gtest/gtest.h>
 
 #ifdef OBJECTS_sse42
@@ -13,7 +14,7 @@
 
 namespace {
 
-/// The weak symbols that the objects define, mangled: some are too long for demanglers.
+/// The mangled names of the weak symbols that the objects define. Some are too long for demanglers.
 std::set<std::string> weak_symbols(const std::string& objects) {
   std::set<std::string> all;
   FILE* nm = popen(("nm --defined-only " + objects).c_str(), "r");
@@ -38,13 +39,13 @@ const std::map<std::string, std::string> objects{
 #endif
 };
 
-// Every weak symbol names its instruction set, in a name of ours or as an argument of a template;
-// or it is common, and then the baseline, which is linked first, has it too.
-TEST(Symbols, BelongToOneInstructionSetOrToTheBaseline) {
+// Every weak symbol names its instruction set, or the baseline defines it too. The baseline is
+// linked first, so the linker keeps its copy.
+TEST(Symbols, NameTheirInstructionSetOrExistInTheBaseline) {
   const std::set<std::string> base = weak_symbols(OBJECTS_sse42);
   EXPECT_GT(base.size(), 20u);
   for (const auto& [isa, files] : objects) {
-    // freshet::ISA, whose first part may stand for what was named before
+    // freshet::ISA, mangled; a substitution (S0_) may replace the first part
     const std::regex ours("(7freshet|S[0-9A-Z]*_)" + std::to_string(isa.size()) + isa);
     const std::set<std::string> weak = weak_symbols(files);
     EXPECT_GT(weak.size(), 20u) << isa;

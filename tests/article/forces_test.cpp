@@ -19,15 +19,15 @@ Vec<2, double> momentum(const FreePatch& patch, Real m) {
 
 constexpr double dt = 0.001;
 
-/// The article's step; no speed is limited.
+/// The article's scheme without a speed limit.
 Mueller2003Parameters<2> parameters() {
   auto c = mueller2003_patch<2>(Integrator::leapfrog);
   c.article = true;
   return c;
 }
 
-/// A step of the article's integrator from the public parts: what stands over the force densities
-/// is rho_i, or 1 as if they were accelerations already.
+/// A step of the article's integrator, composed of the public parts. `divide` divides the force
+/// densities by rho_i; without it they are used as accelerations.
 void step_by_hand(FreePatch& patch, const Mueller2003Parameters<2>& c, bool divide) {
   patch.backend.find_neighbors("neighbors", c.h, patch.fluid);
   const auto f = patch.fluid;
@@ -47,7 +47,7 @@ void step_by_hand(FreePatch& patch, const Mueller2003Parameters<2>& c, bool divi
   });
 }
 
-/// |change of the total momentum| over the sum of |m v| at the end.
+/// |change of the total momentum| divided by the sum of |m v| at the end.
 double drift(FreePatch& patch, const Mueller2003Parameters<2>& c, bool divide) {
   const auto before = momentum(patch, c.m);
   for (int k = 0; k < 200; ++k) step_by_hand(patch, c, divide);
@@ -56,7 +56,7 @@ double drift(FreePatch& patch, const Mueller2003Parameters<2>& c, bool divide) {
   return norm(momentum(patch, c.m) - before) / scale;
 }
 
-// Two particles of different density: what each feels from the other.
+// The pair has two different densities.
 TEST(ArticleForces, AreEqualAndOppositeOnlyAfterDivisionByDensity) {
   const Forces forces{Spiky<2>(1), ViscosityKernel<2>(1), 2, Real(0.1), {}, {}, {}};
   const Forces::At<Real> a{7, Real(0.8), {1, 0}}, b{5, Real(1.3), {0, 2}};
@@ -67,19 +67,19 @@ TEST(ArticleForces, AreEqualAndOppositeOnlyAfterDivisionByDensity) {
     const Vec<2> f_a = on_a.*part, f_b = on_b.*part;
     const Real scale = norm(f_a);
     EXPECT_LT(norm(f_a / a.rho + f_b / b.rho), Real(1e-6) * scale);
-    EXPECT_GT(norm(f_a + f_b), Real(0.3) * scale);  // taken as accelerations
+    EXPECT_GT(norm(f_a + f_b), Real(0.3) * scale);  // used as accelerations
   }
 }
 
-// Measured: 1e-8 of the momentum that moves about, against 0.5 %.
-TEST(ArticleForces, KeepMomentumOnlyWithDivisionByDensity) {
+// Measured drift: 1e-8 of the sum of |m v| with the division, 0.5 % without.
+TEST(ArticleForces, ConserveMomentumOnlyWithDivisionByDensity) {
   const auto c = parameters();
   FreePatch with({c}), without({c});
   const double kept = drift(with, c, true), lost = drift(without, c, false);
   EXPECT_LT(kept, 1e-6);
   EXPECT_GT(lost, 1e-3);
 
-  // The steps by hand with division are the solver's, to the bit.
+  // The steps by hand with division have the solver's bits.
   FreePatch solver({c});
   solver.run(dt, 200);
   for (int i = 0; i < solver.fluid.n; ++i) {

@@ -11,8 +11,7 @@ namespace {
 
 class ArticleScene : public ::testing::Test {
  protected:
-  void SetUp()
-      override {  // in double the random offsets are others, and so are the particles' ways
+  void SetUp() override {  // in double, the random offsets differ
     if (sizeof(Real) != sizeof(float)) GTEST_SKIP() << "the article computes in float";
   }
 };
@@ -22,7 +21,7 @@ double mean_density(const std::vector<Override>& overrides) {
   return after_steps(scene, scene.steps()).statistics().density_mean;
 }
 
-/// The article's run, done once for all that look at it.
+/// The article's run, computed once for all tests.
 const Simulation& finished() {
   static const Simulation simulation = after_steps(article_scene(), 2000);
   return simulation;
@@ -38,8 +37,8 @@ TEST_F(ArticleScene, PutsAQuarterOfItsParticlesOntoTheLid) {
   int on_lid = 0;
   for (std::size_t i = 0; i < fluid.size(); ++i) on_lid += fluid.x[2 * i + 1] == 3;
   EXPECT_EQ(154, on_lid);
-  // Seven rows of the lattice now share one height, closer than the jitter: the second step finds
-  // them at more than six times the rest density.
+  // Seven rows of the lattice now share one height and are separated by the jitter only: the second
+  // step computes more than six times the rest density there.
   EXPECT_LT(simulation.statistics().density_max, 0.9);
   EXPECT_NEAR(5.28, after_steps(scene, 2).statistics().density_max, 0.02);
 }
@@ -51,10 +50,9 @@ TEST_F(ArticleScene, HoldsMoreFluidThanItsBox) {
   EXPECT_NEAR(12, scene.domain.max[0] * scene.domain.max[1], 1e-9);
 }
 
-// 15 m2 in a box of 12 m2 make a density of 1, no more. That the mean is 3.6 has two other causes:
-// the fluid is so soft that a block which fits is squeezed as well, while ten times the stiffness
-// holds the whole block up; and walls that only collide let a third of all particles stack up on
-// them.
+// A fluid of 15 m² in a box of 12 m² has a density of 1. The mean is 3.6 for two other reasons. The
+// fluid is too soft: a block that fits is compressed too, and ten times the stiffness supports the
+// whole block. Walls that only collide let a third of all particles stack up on them.
 TEST_F(ArticleScene, IsDenseBecauseItIsSoft) {
   const Derived d = derive(article_scene());
   EXPECT_NEAR(1, d.particles * d.mass / 12, 1e-9);
@@ -92,19 +90,19 @@ TEST_F(ArticleScene, BottomThirdCountsPixelsNotParticles) {
   EXPECT_EQ(600u, fluid.size());
   EXPECT_EQ(598, particles);
 
-  // Without a single particle the frame's lines alone are counted.
+  // Without particles, only the lines of the picture's border are counted.
   const Image empty = draw_dots(finished().scene(), Frame{});
   EXPECT_EQ(1198, picture_statistics(empty).bottom_third);
 }
 
-// 0.5 loses half of the speed, so three quarters of the energy; half the energy is the root of it.
+// A restitution of 0.5 halves the speed and leaves a quarter of the energy; sqrt(0.5) leaves half.
 TEST(ArticleWalls, LoseThreeQuartersOfTheNormalEnergy) {
   const auto share_left = [](Real restitution) {
     const BoxWalls<2> walls{{0, 0}, {4, 3}, restitution, 0b1111, true};
     Vec<2> x{2, Real(-0.01)}, v{1, -4};
     walls(x, v);
     EXPECT_EQ(0, x.y);
-    EXPECT_EQ(1, v.x);  // along the wall nothing is lost
+    EXPECT_EQ(1, v.x);  // no loss along the wall
     EXPECT_GT(v.y, 0);
     return v.y * v.y / 16;
   };

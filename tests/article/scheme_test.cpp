@@ -8,8 +8,9 @@
 namespace freshet {
 namespace {
 
-// What scheme = "article" changes against "paper" (the default), and nothing else.
-TEST(ArticleScheme, DiffersFromThePapersInFiveThings) {
+// Compares scheme = "article" with the default "paper". Each of the five differences has its
+// number.
+TEST(ArticleScheme, DiffersFromThePapersInFivePoints) {
   const Scene article_s = article_scene();
   Scene paper_s = article_s;
   paper_s.solver.scheme = Scheme::paper;
@@ -24,7 +25,7 @@ TEST(ArticleScheme, DiffersFromThePapersInFiveThings) {
 
   EXPECT_EQ(Real(10), article.spiky_factor);  // 1
   EXPECT_EQ(Real(30), paper.spiky_factor);
-  EXPECT_EQ(Real(0.02), article.m);  // 2: given; the density sum is taken as it comes
+  EXPECT_EQ(Real(0.02), article.m);  // 2: set by the scene; the density sum is not normalised
   EXPECT_EQ(article.m, article.m_density);
   EXPECT_FLOAT_EQ(0.8f * 0.15f * 0.15f, float(paper.m));
   EXPECT_FLOAT_EQ(float(double(paper.m) / (1 + of_paper.density_error)), float(paper.m_density));

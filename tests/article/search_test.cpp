@@ -8,7 +8,7 @@
 namespace freshet {
 namespace {
 
-/// The article's lattice and jitter, grown to side x side particles; it views `sample`.
+/// The article's lattice and jitter with side x side particles.
 Sample block(int side) {
   const std::string count = "[" + std::to_string(side) + ", " + std::to_string(side) + "]";
   return sample(article_scene({{"fluid.count", count}}));
@@ -20,7 +20,7 @@ Particles<2> particles(Sample& sample) {
   return p;
 }
 
-TEST(ArticleSearch, GridFindsWhatAllPairsFind) {
+TEST(ArticleSearch, GridFindsTheNeighborsOfAllPairs) {
   Sample start = block(40);
   const Particles<2> p = particles(start);
   for (const Real h : {Real(0.2), Real(0.3), Real(0.5)})
@@ -35,13 +35,12 @@ TEST(ArticleSearch, GridFindsWhatAllPairsFind) {
     }
 }
 
-// In the article's run it makes no difference either, to the bit.
-TEST(ArticleSearch, GridGivesTheStateOfAllPairs) {
+TEST(ArticleSearch, GridGivesTheBitsOfAllPairs) {
   const Scene grid = article_scene(), all_pairs = article_scene({{"solver.search", "all_pairs"}});
   EXPECT_EQ(after_steps(all_pairs, 50).state_sha256(), after_steps(grid, 50).state_sha256());
 }
 
-/// Whom a grid search compares a particle with, at most and on average.
+/// Number of particles that a grid search compares a particle with: maximum and mean.
 struct Candidates {
   std::size_t most = 0;
   double mean = 0;
@@ -60,9 +59,10 @@ Candidates candidates(int side, double h) {
   return c;
 }
 
-TEST(ArticleSearch, ComparesNoMoreWhenThereAreMoreParticles) {
-  // Nine cells of side 0.2: a square of side 0.6 holds 16 of a lattice of 0.15, and at most 5 x 5.
-  for (const int side : {25, 79, 250}) {  // 625, 6241, 62500 particles; all pairs would compare all
+TEST(ArticleSearch, ComparisonsPerParticleDoNotGrowWithTheirNumber) {
+  // Nine cells of side 0.2 are a square of side 0.6: 16 lattice points of spacing 0.15, at most 5 x
+  // 5.
+  for (const int side : {25, 79, 250}) {  // 625, 6241, 62500 particles
     const Candidates c = candidates(side, 0.2);
     EXPECT_LE(c.most, 25u) << side;
     EXPECT_NEAR(16, c.mean, 1.5) << side;

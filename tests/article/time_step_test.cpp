@@ -9,7 +9,7 @@ namespace {
 
 struct Course {
   double kinetic = 0;  ///< mean over the second half of the run [J]
-  double fastest = 0;  ///< [m/s], of all steps
+  double fastest = 0;  ///< maximum over all steps [m/s]
 };
 
 Course course(const Scene& scene) {
@@ -28,13 +28,13 @@ Course course(const Scene& scene) {
   return course;
 }
 
-/// The article's bound, h over the fastest speed.
+/// The article's time-step limit, h/v_max.
 double articles_bound(const Scene& scene, const Course& course) {
   return derive(scene).support_radius / course.fastest;
 }
 
-// The article's own fluid: steps of 15 ms obey h/v_max all the way (0.2/9.8 = 20 ms), and the fluid
-// never comes to rest: 8.6 J of motion where there should be 1.5 J.
+// Steps of 15 ms obey the article's limit h/v_max = 0.2/9.8 = 20 ms during the whole run. The fluid
+// still does not come to rest: its kinetic energy is 8.6 J instead of 1.5 J.
 TEST(ArticleTimeStep, HeatsTheFluidBelowTheArticlesBound) {
   const Scene fine = article_scene({{"time.end", "4"}});
   const Scene coarse = article_scene({{"time.end", "4"}, {"time.step", "0.015"}});
@@ -44,9 +44,9 @@ TEST(ArticleTimeStep, HeatsTheFluidBelowTheArticlesBound) {
   EXPECT_GT(hot.kinetic, 3 * calm.kinetic);
 }
 
-// A stiffer fluid is no faster: h/v_max stays where it was, for the speed limit of 20 m/s keeps it
-// at 10 ms or more. But sound is ten times faster, and half of those 10 ms make the fluid boil for
-// ever: 1905 J of motion, where 247 J were there to fall.
+// The speed limit of 20 m/s keeps h/v_max at 10 ms or more in a stiffer fluid too. But sound is ten
+// times faster, and with steps of 5 ms the fluid boils: its kinetic energy is 1905 J, while its
+// potential energy was 247 J at the start.
 TEST(ArticleTimeStep, NeedsTheSpeedOfSound) {
   const auto stiff = [](const char* step) {
     return article_scene({{"solver.stiffness", "5000"}, {"time.step", step}, {"time.end", "0.6"}});

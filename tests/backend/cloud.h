@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Particles thrown at random into a square (a cube).
+/// Particles at random places of a square (2D) or a cube (3D).
 #pragma once
 #include <cstdint>
 #include <random>
@@ -24,7 +24,7 @@ template <int D> struct Cloud {
     particles.id.data = id.data();
   }
 
-  /// Brute force in its plainest form.
+  /// The neighbours of particle i by brute force.
   std::vector<int> near(int i, Real h) const {
     std::vector<int> found;
     for (int j = 0; j < particles.n; ++j)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cpu backend has the reference's very bits, on every instruction set that this machine has and
+// The cpu backend has the reference backend's bits, with every instruction set of this machine and
 // on any number of threads.
 #include <gtest/gtest.h>
 
@@ -64,13 +64,13 @@ TEST(CpuBackend, HasTheReferencesBitsInThePapersScheme) {
                              120);
 }
 
-// A few particles, then a single one: packs and slices that are not full.
+// A few particles, then a single one: packs and slices are not full.
 TEST(CpuBackend, HasTheReferencesBitsForAFewParticles) {
   for (const char* corner : {"[0.2, 0.2]", "[0.04, 0.04]"})
     expect_the_references_bits("article_corrected.toml", {{"fluid.max", corner}}, 20);
 }
 
-// Two drops in the far corners of a wide domain: the torus of cells wraps, and no bit changes.
+// Two drops in opposite corners of a wide domain: the torus of cells wraps.
 TEST(CpuBackend, HasTheReferencesBitsFarApart) {
   const std::string text = R"(
 domain = { max = [5000.0, 5000.0] }
@@ -88,7 +88,7 @@ fluid = [ { min = [0, 0], max = [5, 5], velocity = [1, 2] },
   EXPECT_EQ(state("reference"), state("cpu"));
 }
 
-/// Densities by id in a cloud of fluid that a cloud of wall surrounds: a sum over two sets, in 3D.
+/// Densities by id of a fluid set, summed over the fluid and a wall set in 3D.
 template <class AnyBackend> std::vector<Real> densities(AnyBackend backend) {
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> at(-1, 1);
@@ -106,7 +106,7 @@ template <class AnyBackend> std::vector<Real> densities(AnyBackend backend) {
   }
   backend.allocate(fluid, Keep::scratch, rho);
   const Density near{Poly6<3>(Real(0.4f)), Real(1)}, far{Poly6<3>(Real(0.4f)), Real(3)};
-  for (int step = 0; step < 2; ++step) {  // the second time the wall is sorted already
+  for (int step = 0; step < 2; ++step) {  // in the second step, the wall is sorted already
     backend.find_neighbors("neighbors", Real(0.4f), fluid, wall);
     const auto f = rho;
     backend.sum_pairs("density", fluid, over(fluid, near), over(wall, far),
@@ -117,13 +117,13 @@ template <class AnyBackend> std::vector<Real> densities(AnyBackend backend) {
   return by_id;
 }
 
-TEST(CpuBackend, SumsOverFluidAndWallAsTheReferenceDoes) {
+TEST(CpuBackend, HasTheReferencesBitsInASumOverTwoSets) {
   const auto reference = densities(ReferenceBackend<3>());
   EXPECT_GT(*std::max_element(reference.begin(), reference.end()), 0);
   for (const int threads : {3, 1}) EXPECT_EQ(reference, densities(CpuBackend<3>(threads)));
 }
 
-TEST(CpuCellGrid, TakesNoMoreCellsForASplashFarAway) {
+TEST(CpuCellGrid, HasAtMostEightCellsPerParticle) {
   const Threads threads(2);
   CpuBackend<3> backend(2);
   Particles<3> p;
@@ -141,7 +141,7 @@ TEST(CpuCellGrid, TakesNoMoreCellsForASplashFarAway) {
   p.x[18].x = std::numeric_limits<Real>::quiet_NaN();
   grid.build(threads, Real(2), p);
   EXPECT_LE(grid.cell_count(), 8 * p.n);
-  int crowded = 0;  // the others did not all land in one cell
+  int crowded = 0;  // the other particles are still spread over the cells
   for (int c = 0; c < grid.cell_count(); ++c) crowded += grid.end(c) - grid.begin(c) > 64;
   EXPECT_EQ(0, crowded);
 }

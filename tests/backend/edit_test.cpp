@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Particles that come and go, on both backends, against a map from ids to what they are.
+// Adds and removes particles on both backends and compares their fields with a map by id.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -22,7 +22,7 @@ struct Made {
   Real scratch;
 };
 
-/// A set with a field of each size beside x and id.
+/// A set with a field of each element size besides x and id.
 template <class B> class Cloud {
  public:
   explicit Cloud(B backend, typename Copies<3>::Rules rules = {}) : backend_(std::move(backend)) {
@@ -35,7 +35,7 @@ template <class B> class Cloud {
     backend_.allocate(p_, Keep::scratch, scratch_);
     backend_.allocate(p_, Keep::scratch, rho_);
   }
-  /// Takes away those that `goes` says, and makes `more`.
+  /// Removes the particles that `goes` selects and appends `more` new ones.
   template <class Goes> void edit(const Goes& goes, int more) {
     std::vector<int> gone;
     for (int i = 0; i < p_.n; ++i)
@@ -65,7 +65,7 @@ template <class B> class Cloud {
     const auto rho = rho_;
     backend_.sum_pairs("density", p_, over(p_, Density{Poly6<3>(Real(0.3f)), Real(1)}),
                        [=](int i, Real sum) { rho[i] = sum; });
-    for (int i = 0; i < p_.n; ++i) {  // which the search leaves in disorder
+    for (int i = 0; i < p_.n; ++i) {  // the search leaves scratch in disorder
       scratch_[i] = Real(p_.id[i]);
       model_[p_.id[i]].scratch = scratch_[i];
     }
@@ -101,8 +101,8 @@ template <class B> class Cloud {
   std::uint64_t next_id_ = 0;
 };
 
-/// The same comings and goings, from nothing to thousands and back to nothing; densities after
-/// each.
+/// Edits a set from no particles to thousands and back to none. Returns the densities after each
+/// edit.
 template <class B>
 std::vector<std::map<std::uint64_t, Real>> come_and_go(B backend,
                                                        typename Copies<3>::Rules rules = {}) {
@@ -129,14 +129,14 @@ std::vector<std::map<std::uint64_t, Real>> come_and_go(B backend,
   return all;
 }
 
-TEST(Edit, KeepsWhatStaysOnBothBackends) {
+TEST(Edit, KeepsRemainingParticlesOnBothBackends) {
   const auto reference = come_and_go(ReferenceBackend<3>());
   EXPECT_EQ(0u, reference[0].size());
   EXPECT_EQ(2500u + 54u, reference[6].size());
   for (const int threads : {7, 2, 1}) EXPECT_EQ(reference, come_and_go(CpuBackend<3>(threads)));
 }
 
-TEST(Edit, KeepsRoomForMirrorImages) {
+TEST(Edit, KeepsRemainingParticlesBesideMirrorImages) {
   typename Copies<3>::Rules rules(2);
   for (int k = 0; k < 2; ++k) {
     rules[std::size_t(k)].mirror = true;
@@ -148,7 +148,7 @@ TEST(Edit, KeepsRoomForMirrorImages) {
   for (const int threads : {2, 1}) EXPECT_EQ(reference, come_and_go(CpuBackend<3>(threads), rules));
 }
 
-TEST(Edit, MovesTheFieldsWhenTheyGrow) {
+TEST(Edit, ReallocatesOnlyWhenTheMemoryIsFull) {
   Cloud<CpuBackend<3>> cloud{CpuBackend<3>(1)};
   const auto none = [](std::uint64_t) { return false; };
   cloud.edit(none, 100);
@@ -156,7 +156,8 @@ TEST(Edit, MovesTheFieldsWhenTheyGrow) {
   cloud.edit(none, 60);
   EXPECT_NE(before, cloud.p_.x.data);
   const void* then = cloud.p_.x.data;
-  cloud.edit([](std::uint64_t id) { return id < 50; }, 90);  // room for half as many again
+  // 200 particles fit: 160 got room for half as many again
+  cloud.edit([](std::uint64_t id) { return id < 50; }, 90);
   EXPECT_EQ(then, cloud.p_.x.data);
 }
 

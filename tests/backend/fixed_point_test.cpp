@@ -19,7 +19,7 @@ double sum(const std::vector<double>& values) {
   return fixed.value(total);
 }
 
-TEST(FixedPoint, SumsAreTheSameInAnyOrder) {
+TEST(FixedPoint, SumDoesNotDependOnTheOrder) {
   std::mt19937 generator(3);
   std::normal_distribution<double> any(0, 1e3);
   std::vector<double> values(10000);
@@ -34,14 +34,14 @@ TEST(FixedPoint, SumsAreTheSameInAnyOrder) {
   EXPECT_NEAR(plain, forwards, 1e-7);
 }
 
-TEST(FixedPoint, TheLargestNumbersDoNotOverflow) {
+TEST(FixedPoint, LargestNumbersDoNotOverflow) {
   for (const double largest : {1.0, 1.999, 1e300, 1e-300}) {
     const std::vector<double> values(1000, largest);
     EXPECT_NEAR(1, sum(values) / (1000 * largest), 1e-12);
   }
 }
 
-TEST(FixedPoint, NumbersThatAreNoneStayNone) {
+TEST(FixedPoint, InfinityGivesNanAndAnEmptySumIsZero) {
   EXPECT_TRUE(std::isnan(sum({1, INFINITY})));
   EXPECT_EQ(0, sum({}));
 }

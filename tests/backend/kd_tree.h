@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The KD-tree that the article searched with, by nanoflann: a second opinion for tests, and what
-/// the grids are measured against. No part of the library.
+/// The KD-tree of nanoflann, since the article searches with a KD-tree. Tests and benchmarks
+/// compare the grids with it. It is not part of the library.
 #pragma once
 #include <nanoflann.hpp>
 #include <vector>
@@ -28,7 +28,7 @@ template <int D> class KdTree {
     Real kdtree_get_pt(std::size_t j, std::size_t d) const { return (&p.x[int(j)].x)[d]; }
     template <class Box> bool kdtree_get_bbox(Box&) const { return false; }
   };
-  struct Found {  // nanoflann's own result keeps distances, which cost without being asked for
+  struct Found {  // nanoflann's own result set stores distances, which nobody needs here
     Real h2;
     std::vector<int>& out;
     Real worstDist() const { return h2; }

@@ -24,8 +24,8 @@ template <int D> void expect_brute_forces_neighbors() {
   }
 }
 
-TEST(KdTree, FindsWhatBruteForceFindsIn2D) { expect_brute_forces_neighbors<2>(); }
-TEST(KdTree, FindsWhatBruteForceFindsIn3D) { expect_brute_forces_neighbors<3>(); }
+TEST(KdTree, FindsTheNeighborsOfBruteForceIn2D) { expect_brute_forces_neighbors<2>(); }
+TEST(KdTree, FindsTheNeighborsOfBruteForceIn3D) { expect_brute_forces_neighbors<3>(); }
 
 }  // namespace
 }  // namespace freshet

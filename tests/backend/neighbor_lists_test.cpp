@@ -23,8 +23,8 @@ template <int d> struct Dimension { static constexpr int D = d; };
 using Dimensions = ::testing::Types<Dimension<2>, Dimension<3>>;
 TYPED_TEST_SUITE(NeighborListsOf, Dimensions);
 
-// Grids that lie across the origin and far from it.
-TYPED_TEST(NeighborListsOf, AreThoseOfBruteForce) {
+// The grids contain the origin, touch it, or are far from it.
+TYPED_TEST(NeighborListsOf, EqualThoseOfBruteForce) {
   constexpr int D = TypeParam::D;
   const Real h = Real(0.3f);
   for (const double offset : {-1.0, 0.0, 1000.37}) {
@@ -34,7 +34,7 @@ TYPED_TEST(NeighborListsOf, AreThoseOfBruteForce) {
   }
 }
 
-TYPED_TEST(NeighborListsOf, HaveOneOrderWhicheverWayTheyWereFound) {
+TYPED_TEST(NeighborListsOf, HaveTheSameOrderInBothSearches) {
   constexpr int D = TypeParam::D;
   const Cloud<D> cloud(500, 2, -0.7);
   for (const NeighborOrder order : {NeighborOrder::id, NeighborOrder::cell})
@@ -42,13 +42,13 @@ TYPED_TEST(NeighborListsOf, HaveOneOrderWhicheverWayTheyWereFound) {
               rows<D>(Search::all_pairs, order, Real(0.3f), cloud.particles));
 }
 
-TYPED_TEST(NeighborListsOf, HoldOnToParticlesThatFlewFarOrAreLost) {
+TYPED_TEST(NeighborListsOf, AreRightForFarAndNanParticles) {
   constexpr int D = TypeParam::D;
   Cloud<D> cloud(100, 2, 0);
   cloud.x[5].x = Real(2e9f);
   cloud.x[6].x = Real(-3e30f);
   cloud.x[7].x = std::numeric_limits<Real>::quiet_NaN();
-  cloud.x[8] = cloud.x[9];  // two in one place
+  cloud.x[8] = cloud.x[9];  // coincident particles
   const auto found = rows<D>(Search::grid, NeighborOrder::id, Real(0.3f), cloud.particles);
   EXPECT_EQ(std::vector<int>{5}, found[5]);
   EXPECT_EQ(std::vector<int>{6}, found[6]);
@@ -57,7 +57,7 @@ TYPED_TEST(NeighborListsOf, HoldOnToParticlesThatFlewFarOrAreLost) {
   EXPECT_EQ(found, rows<D>(Search::all_pairs, NeighborOrder::id, Real(0.3f), cloud.particles));
 }
 
-TYPED_TEST(NeighborListsOf, TakeOneParticle) {
+TYPED_TEST(NeighborListsOf, OfASingleParticleHoldItself) {
   constexpr int D = TypeParam::D;
   const Cloud<D> cloud(1, 2, 0);
   EXPECT_EQ((std::vector<std::vector<int>>{{0}}),

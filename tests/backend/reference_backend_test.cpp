@@ -11,7 +11,7 @@ namespace {
 
 static_assert(Backend<ReferenceBackend<2>, 2> && Backend<ReferenceBackend<3>, 3>);
 
-/// 1 for each neighbour, times what the neighbour's field says.
+/// Sums the neighbours' values.
 struct SumOf {
   Field<Real> value;
   template <class R> struct At { R value; };
@@ -38,21 +38,21 @@ class ThreeInARow : public ::testing::Test {
   Field<Real> value;
 };
 
-TEST_F(ThreeInARow, APassSeesFieldsAsTheyWereBeforeIt) {
+TEST_F(ThreeInARow, PassReadsFieldsAsTheyWereBeforeIt) {
   const auto v = value;
   backend.sum_pairs("sum", particles, over(particles, SumOf{value}),
                     [=](int i, Real sum) { v[i] = sum; });
-  EXPECT_EQ(3, value[0]);  // 1 + 2: itself and its neighbour
+  EXPECT_EQ(3, value[0]);  // 1 + 2: the particle itself and its neighbour
   EXPECT_EQ(6, value[1]);
   EXPECT_EQ(5, value[2]);
 }
 
-TEST_F(ThreeInARow, MaxGoesOverAll) {
+TEST_F(ThreeInARow, MaxCoversAllParticles) {
   const auto v = value;
   EXPECT_EQ(3, backend.max("max", particles, [=](int i) { return v[i]; }));
 }
 
-TEST_F(ThreeInARow, EveryCallCountsUnderItsName) {
+TEST_F(ThreeInARow, CallsAreCountedUnderTheirName) {
   backend.for_each("visit", particles, [](int) {});
   backend.for_each("visit", particles, [](int) {});
   const VerbTiming& visit = backend.timings().back();

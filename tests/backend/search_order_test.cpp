@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The cpu backend meets the neighbours that the reference meets, in its order, wherever particles
-// may lie. Compiled once for every instruction set.
+// The cpu backend visits the reference backend's neighbours in the reference's order, wherever the
+// particles are. Compiled once for every instruction set.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -15,7 +15,7 @@ namespace freshet {
 inline namespace FRESHET_ISA {
 namespace {
 
-/// A sum whose bits tell the order of its neighbours, and who they are.
+/// A sum whose bits depend on the neighbours and their order.
 template <int D> struct Trace {
   Field<Real> value;
   template <class R> struct At { R value; };
@@ -28,7 +28,7 @@ template <int D> struct Trace {
   Real h2 = 1;
 };
 
-/// Traces by id of particles of support radius 1, which move once between two searches.
+/// Traces by id for a support radius of 1, in two searches; the particles move between them.
 template <int D, class AnyBackend>
 std::vector<Real> traces(AnyBackend backend, const std::vector<Vec<D>>& x) {
   Particles<D> p;
@@ -62,7 +62,7 @@ template <int D> void expect_one_order(const std::vector<Vec<D>>& x) {
   for (const int threads : {3, 1}) EXPECT_EQ(reference, traces<D>(CpuBackend<D>(threads), x));
 }
 
-/// Sparse gas, and a few clumps a hundred times as dense.
+/// Sparse particles, and a few clumps a hundred times as dense.
 template <int D> std::vector<Vec<D>> clumps(double size) {
   std::mt19937 generator(11);
   std::uniform_real_distribution<double> at(-size, size);
@@ -96,7 +96,8 @@ TEST_F(SUITE, VisitsNeighborsInTheReferencesOrderInClumps) {
   expect_one_order(clumps<3>(4));
 }
 
-// Far along one axis after the other: that one wraps, then all do; and beyond the last cell.
+// Particles far away along one axis, then along all: the cells wrap there. 4e12 is past the last
+// cell.
 TEST_F(SUITE, VisitsNeighborsInTheReferencesOrderWhereCellsWrap) {
   for (const int axes : {1, 2, 4, 7})
     for (const double far : {20000.0, -3e5, 4e12}) {
@@ -121,7 +122,7 @@ TEST_F(SUITE, VisitsNeighborsInTheReferencesOrderInACrowd) {
   expect_one_order(x);
 }
 
-TEST_F(SUITE, TakesOneParticleNoneAndTheLost) {
+TEST_F(SUITE, VisitsNeighborsInTheReferencesOrderForFewAndNanParticles) {
   expect_one_order(std::vector<Vec<3>>{{1, 2, 3}});
   expect_one_order(std::vector<Vec<2>>{});
   const Real nan = std::numeric_limits<Real>::quiet_NaN();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies without a fluid: what moves them.
+// Motion of bodies without forces from a fluid.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A drop far from everything, and these bodies.
+/// A scene of these bodies. It needs a fluid: a drop far from them.
 Scene scene_of(const std::string& bodies, bool flat = true, const std::string& domain = "") {
   const std::string rest =
       flat ? "[domain]\nmax = [10, 10]\n" + domain + "[fluid]\nmin = [9.5, 9.5]\nmax = [9.7, 9.7]\n"
@@ -70,7 +70,7 @@ TEST_F(FreeBodies, FallFreely) {
   EXPECT_EQ(0, w[0].position[2]);
 }
 
-TEST_F(FreeBodies, TurnAboutTheirAxisWithoutATorque) {
+TEST_F(FreeBodies, KeepTheirAngularVelocityWithoutATorque) {
   World w(
       "[body]\nmin = [4, 7, 4]\nmax = [5, 7.5, 6]\nmotion = \"free\"\nmass = 3\n"
       "angular_velocity = 2\nturn_axis = [1, 0, 0]\n",
@@ -80,17 +80,17 @@ TEST_F(FreeBodies, TurnAboutTheirAxisWithoutATorque) {
   EXPECT_NEAR(std::sin(0.5), w[0].orientation[0], 1e-6);
 }
 
-TEST_F(FreeBodies, ComeToRestOnTheSidesOfTheDomain) {
+TEST_F(FreeBodies, ComeToRestOnTheFloor) {
   World w(
       "[body]\nmin = [4, 0.2]\nmax = [5, 1.2]\nmotion = \"free\"\ndensity = 500\n"
       "restitution = 0\n");
   w.run(2);
   EXPECT_NEAR(0.5, w[0].position[1], 1e-3);
-  EXPECT_LT(std::abs(w[0].velocity[1]), 9.81 * 0.001) << "less than a step of gravity gives";
+  EXPECT_LT(std::abs(w[0].velocity[1]), 9.81 * 0.001) << "faster than one step of gravity";
   EXPECT_NEAR(0, angle_of(w[0]), 1e-3);
 }
 
-TEST_F(FreeBodies, BounceAsTheirRestitutionSays) {
+TEST_F(FreeBodies, BounceByTheirRestitution) {
   World w(
       "[body]\nshape = \"sphere\"\ncenter = [5, 3]\nradius = 0.5\nmotion = \"free\"\n"
       "mass = 1\nrestitution = 0.5\n");
@@ -102,7 +102,7 @@ TEST_F(FreeBodies, BounceAsTheirRestitutionSays) {
   EXPECT_NEAR(0.5 * std::sqrt(2 * 9.81 * 2.5), fastest_up, 0.05);
 }
 
-TEST_F(FreeBodies, PushEachOther) {
+TEST_F(FreeBodies, CollideElastically) {
   World w(
       "[[body]]\nshape = \"sphere\"\ncenter = [3, 5]\nradius = 0.5\nmotion = \"free\"\n"
       "mass = 2\nvelocity = [1, 0]\nrestitution = 1\nfriction = 0\n"
@@ -114,7 +114,9 @@ TEST_F(FreeBodies, PushEachOther) {
   EXPECT_NEAR(4.0 / 3, w[1].velocity[0], 1e-3);
 }
 
-TEST_F(FreeBodies, SwingOnAHinge) {  // a bar on its end: T = 2 pi sqrt(2 L/(3 g)), L twice as long
+// Physical pendulum: a bar that hangs on its end has the period T = 2 pi sqrt(I/(m g L)), where I
+// is its inertia about the hinge and L the distance of its centre from it.
+TEST_F(FreeBodies, SwingOnAHingeWithThePeriodOfAPendulum) {
   World w(
       "[body]\nname = \"bar\"\nmin = [4.9, 4]\nmax = [5.1, 6]\nmotion = \"free\"\nmass = 1\n"
       "angular_velocity = 0.1\nvelocity = [0.1, 0]\n"
@@ -127,17 +129,17 @@ TEST_F(FreeBodies, SwingOnAHinge) {  // a bar on its end: T = 2 pi sqrt(2 L/(3 g
   }
   EXPECT_NEAR(period / 2, turned, 0.01 * period);
   const double x = w[0].position[0] - 5, y = w[0].position[1] - 6;
-  EXPECT_NEAR(1, std::hypot(x, y), 1e-3) << "it hangs on";
+  EXPECT_NEAR(1, std::hypot(x, y), 1e-3) << "the bar left its hinge";
 }
 
-TEST_F(FreeBodies, AreTurnedByAMotor) {
+TEST_F(FreeBodies, ReachTheSpeedOfTheirMotor) {
   for (const double speed : {3.0, -3.0}) {
     World w(
         "[body]\nname = \"wheel\"\nshape = \"sphere\"\ncenter = [5, 5]\nradius = 1\n"
         "motion = \"free\"\nmass = 2\n"
         "[joint]\nbody = \"wheel\"\npoint = [5, 5]\nmotor_speed = " +
         std::to_string(speed) + "\nmotor_torque = 2\n");
-    w.run(0.5);  // inertia 1: 2 rad/s^2
+    w.run(0.5);  // inertia 1 kg m²: 2 rad/s²
     EXPECT_NEAR(std::copysign(1, speed), w[0].angular_velocity[2], 0.01);
     w.run(2);
     EXPECT_NEAR(speed, w[0].angular_velocity[2], 1e-6);
@@ -145,7 +147,7 @@ TEST_F(FreeBodies, AreTurnedByAMotor) {
   }
 }
 
-TEST_F(FreeBodies, AreCarriedByMovedOnes) {
+TEST_F(FreeBodies, AreCarriedByMovedBodies) {
   World w(
       "[[body]]\nmin = [3, 2]\nmax = [7, 3]\nmotion = \"moved\"\nposition = [\"0\", \"0.5*t*t\"]\n"
       "[[body]]\nmin = [4.5, 3.01]\nmax = [5.5, 4]\nmotion = \"free\"\ndensity = 100\n"
@@ -156,7 +158,7 @@ TEST_F(FreeBodies, AreCarriedByMovedOnes) {
   EXPECT_NEAR(1.5, w[1].velocity[1], 0.02);
 }
 
-TEST(MovedBodies, GoWhereTheirFunctionsSay) {
+TEST(MovedBodies, FollowTheirFunctions) {
   if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
   World w(
       "[body]\nmin = [4, 4]\nmax = [6, 5]\nmotion = \"moved\"\n"
@@ -170,7 +172,7 @@ TEST(MovedBodies, GoWhereTheirFunctionsSay) {
   EXPECT_NEAR(pi / 2, b.angular_velocity[2], 1e-9);
 }
 
-TEST(MovedBodies, GoThroughTheirKeyFrames) {
+TEST(MovedBodies, PassTheirKeyFrames) {
   const std::string frames =
       "[[body.key]]\ntime = 0\n[[body.key]]\ntime = 1\ntranslation = [1, 0]\nangle = 30\n"
       "[[body.key]]\ntime = 3\ntranslation = [0, 1]\n";
@@ -179,7 +181,7 @@ TEST(MovedBodies, GoThroughTheirKeyFrames) {
     World w(body + "interpolation = \"" + how + "\"\n" + frames);
     for (const auto& [time, x] : {std::pair{0.0, 5.0}, {1.0, 6.0}, {3.0, 5.0}, {9.0, 5.0}})
       EXPECT_NEAR(x, w.bodies().at(0, time, 0).position[0], 1e-12) << how << time;
-    for (const double t : {0.3, 0.9, 1.4, 2.9}) {  // velocities are the slopes of places
+    for (const double t : {0.3, 0.9, 1.4, 2.9}) {  // velocities are the derivatives of positions
       const auto at = [&](double s) { return w.bodies().at(0, s, 0); };
       EXPECT_NEAR((at(t + 1e-5).position[0] - at(t - 1e-5).position[0]) / 2e-5, at(t).velocity[0],
                   1e-8);
@@ -188,11 +190,12 @@ TEST(MovedBodies, GoThroughTheirKeyFrames) {
     }
   }
   World smooth(body + frames), linear(body + "interpolation = \"linear\"\n" + frames);
-  EXPECT_NEAR(0, smooth.bodies().at(0, 1e-9, 0).velocity[0], 1e-6) << "from rest";
+  EXPECT_NEAR(0, smooth.bodies().at(0, 1e-9, 0).velocity[0], 1e-6)
+      << "a smooth motion must start at rest";
   EXPECT_NEAR(1, linear.bodies().at(0, 1e-9, 0).velocity[0], 1e-12);
 }
 
-TEST(BodyShapes, OfAMeshAreThoseOfItsShape) {
+TEST(BodyShapes, HaveExactInertiaAndAClosedMesh) {
   const Scene boxes = scene_of("[body]\nmin = [4, 4, 4]\nmax = [5, 6, 7]\n", false);
   const BodyShape box = body_shape(boxes.body[0]);
   EXPECT_NEAR(6, box.volume, 1e-12);
@@ -207,7 +210,7 @@ TEST(BodyShapes, OfAMeshAreThoseOfItsShape) {
     TriangleMesh mesh = body_mesh(b);
     EXPECT_TRUE(mend_mesh(mesh).closed());
     const MeshDistance surface(mesh);
-    EXPECT_LT(surface.signed_distance(exact.center), -0.9) << "it faces outwards";
+    EXPECT_LT(surface.signed_distance(exact.center), -0.9) << "the mesh must face outwards";
     EXPECT_NEAR(exact.reach, norm(surface.high() - exact.center), 1.0);
   }
   const BodyShape rod = body_shape(others.body[0]);

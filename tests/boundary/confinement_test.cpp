@@ -13,7 +13,7 @@ template <int D> void apply(const Confinement<D>& c, Vec<D>& x, Vec<D>& v) {
   c(0, f, v);
 }
 
-TEST(Confinement, NotesWhatEachWallGave) {
+TEST(Confinement, RecordsTheVelocityChangeByEachWall) {
   Confinement<2> c{};
   c.box = {{0, 0}, {1, 1}, 0.5f, 0b1111, false};
   Vec<2, double> bounced[2]{};
@@ -27,7 +27,7 @@ TEST(Confinement, NotesWhatEachWallGave) {
   EXPECT_EQ(-6, bounced[1].y);  // the high side along y turned 4 into -2
 }
 
-TEST(Confinement, SidesThatAreNoWallsLetPass) {
+TEST(Confinement, OpenSidesLetParticlesPass) {
   Confinement<2> c{};
   c.box = {{0, 0}, {1, 1}, 0.5f, 0b0001, false};
   Vec<2> x{0.5f, -3}, v{0, -1};
@@ -36,7 +36,7 @@ TEST(Confinement, SidesThatAreNoWallsLetPass) {
   EXPECT_EQ(-1, v.y);
 }
 
-TEST(Confinement, PeriodicAxesWrap) {
+TEST(Confinement, PeriodicAxesWrapPositions) {
   Confinement<3> c{};
   c.box = {{0, 0, 0}, {2, 2, 2}, 0.5f, 0, false};
   c.period = {2, 0, 0};
@@ -47,7 +47,7 @@ TEST(Confinement, PeriodicAxesWrap) {
   EXPECT_EQ(1, v.x);
 }
 
-TEST(Confinement, ShapesTurnBackAlongTheirNormal) {
+TEST(Confinement, ShapesReflectAlongTheirNormal) {
   Reflector<2> ball{{SolidKind::ball, {0, 0}, {}, {}, 1, 0, false}, 0.5f};
   Confinement<2> c{};
   c.shapes.data = &ball;

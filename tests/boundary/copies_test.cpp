@@ -8,7 +8,7 @@
 namespace freshet {
 namespace {
 
-/// Particles with room for copies.
+/// At most 64 particles and copies.
 template <int D> struct Few {
   std::array<std::uint64_t, 64> id{};
   std::array<Vec<D>, 64> x{}, v{};
@@ -19,7 +19,7 @@ CopyRule<2> mirror(Vec<2> point, Vec<2> normal, int axis, bool no_slip = false) 
   return {point, normal, {0, 0}, true, no_slip, axis};
 }
 
-TEST(Copies, MirrorAtAPlaneAndInACorner) {
+TEST(Copies, MirrorAtEachSideAndInTheCorner) {
   Few<2> few;
   auto p = few.particles(2);
   few.x[0] = {0.1f, 0.2f};
@@ -37,11 +37,11 @@ TEST(Copies, MirrorAtAPlaneAndInACorner) {
     EXPECT_EQ(v[k][0], few.v[std::size_t(2 + k)].x);
     EXPECT_EQ(v[k][1], few.v[std::size_t(2 + k)].y);
   }
-  EXPECT_TRUE(copies.due_to(2, 0));  // the corner's counts for the first side
+  EXPECT_TRUE(copies.due_to(2, 0));  // the corner's image counts for the first side
   EXPECT_FALSE(copies.due_to(2, 1));
 }
 
-TEST(Copies, NoSlipTurnsVelocitiesRoundAndOtherVectorsAsAMirrorDoes) {
+TEST(Copies, NoSlipNegatesVelocitiesAndMirrorsOtherVectors) {
   Few<2> few;
   auto p = few.particles(1);
   few.x[0] = {0.1f, 0};
@@ -58,10 +58,10 @@ TEST(Copies, NoSlipTurnsVelocitiesRoundAndOtherVectorsAsAMirrorDoes) {
   EXPECT_EQ(4, gradient[1].y);
 }
 
-TEST(Copies, PeriodicImagesComeOnceFromEachEnd) {
+TEST(Copies, PeriodicEndsMakeOneImageEach) {
   Few<3> few;
   auto p = few.particles(2);
-  few.x[0] = {0, 0, 0};  // on the lower end
+  few.x[0] = {0, 0, 0};  // at the lower end
   few.x[1] = {9.5f, 5, 5};
   const CopyRule<3> low{{0, 0, 0}, {1, 0, 0}, {10, 0, 0}, false, false, 0};
   const CopyRule<3> high{{10, 0, 0}, {-1, 0, 0}, {-10, 0, 0}, false, false, 0};

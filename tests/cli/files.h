@@ -25,12 +25,12 @@ inline bool contains(const std::string& text, const std::string& part) {
 inline const fs::path source_dir = SOURCE_DIR;
 inline const std::string article = (source_dir / "scenes/article.toml").string();
 
-/// A folder that is gone after the test.
+/// A folder that the destructor removes.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
     std::string name = (fs::temp_directory_path() / "freshet-test-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("no folder for a test");
+    if (!mkdtemp(name.data())) throw std::runtime_error("cannot create a temporary folder");
     path_ = name;
   }
   ~TemporaryFolder() {
@@ -75,7 +75,7 @@ inline std::set<std::string> files_below(const fs::path& folder) {
   return files;
 }
 
-/// Every file of the folder is in its manifest with its size and digest, and no other is.
+/// Expects that the manifest lists exactly the files of the folder, with their sizes and digests.
 inline void expect_whole_run(const fs::path& folder) {
   const Json manifest = Json::parse(read_text(folder / "manifest.json"), nullptr, false);
   ASSERT_TRUE(manifest.is_object()) << read_text(folder / "manifest.json");
@@ -100,7 +100,7 @@ inline std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// A run of the article's scene for 50 steps, with `more` arguments.
+/// Arguments of a run of the article's scene for 50 steps, with `more` arguments.
 inline std::vector<std::string> short_run(const fs::path& output,
                                           const std::vector<std::string>& more = {}) {
   std::vector<std::string> all{"run",           article, "--output",
@@ -109,7 +109,7 @@ inline std::vector<std::string> short_run(const fs::path& output,
   return all;
 }
 
-/// The same of a run that would take minutes.
+/// Arguments of a run of the article's scene that would take minutes, with `more` arguments.
 inline std::vector<std::string> long_run(const fs::path& output,
                                          const std::vector<std::string>& more = {}) {
   auto all = short_run(output, more);

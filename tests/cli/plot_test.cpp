@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Pictures of a run's observables.
+/// `freshet plot` draws the observables of a run.
 #include <gtest/gtest.h>
 
 #include <pugixml.hpp>
@@ -11,7 +11,7 @@
 namespace freshet::test {
 namespace {
 
-/// A folder with an observables.csv of two rows; `more` are further lines.
+/// Writes an observables.csv of two rows and the lines `more`; returns the folder's name.
 std::string run_in(const fs::path& folder, const std::string& more = "") {
   write_text(folder / "observables.csv",
              "step,time [s],time step [s],ruled by,least bound [s],kinetic energy [J],"
@@ -21,7 +21,7 @@ std::string run_in(const fs::path& folder, const std::string& more = "") {
   return folder.string();
 }
 
-/// One line on stderr, nothing on stdout.
+/// Expects this exit code, one line on stderr and nothing on stdout; returns the line.
 std::string error_of(const std::vector<std::string>& arguments, int code) {
   const auto r = freshet(arguments);
   EXPECT_EQ(r.code, code) << r.err;
@@ -30,7 +30,7 @@ std::string error_of(const std::vector<std::string>& arguments, int code) {
   return r.err;
 }
 
-/// The number of panels in an SVG: their frames are closed rectangles without a filling.
+/// The number of panels in an SVG. The frame of a panel is a closed rectangle without a fill.
 std::size_t panels_in(const fs::path& svg) {
   pugi::xml_document document;
   EXPECT_TRUE(document.load_file(svg.c_str()));
@@ -45,7 +45,7 @@ std::size_t panels_in(const fs::path& svg) {
 
 constexpr const char *blue = "rgb(0%,44.7%,69.8%)", *vermilion = "rgb(83.5%,36.9%,0%)";
 
-/// The lines of a colour in an SVG, each as the letters of its path: M moves, L draws.
+/// The lines of a colour in an SVG, each as the commands of its path: M moves, L draws.
 std::vector<std::string> lines_in(const fs::path& svg, const std::string& color) {
   pugi::xml_document document;
   EXPECT_TRUE(document.load_file(svg.c_str()));
@@ -59,7 +59,7 @@ std::vector<std::string> lines_in(const fs::path& svg, const std::string& color)
   return all;
 }
 
-TEST(Plot, DrawsARunAndDrawsItAgain) {
+TEST(Plot, DrawsTheSamePictureTwiceAndKeepsOtherFiles) {
   const TemporaryFolder folder;
   const auto run = freshet(short_run(folder / "run", {"--set", "checks.height_mean_max=3"}));
   ASSERT_EQ(run.code, 0) << run.err;
@@ -89,7 +89,7 @@ TEST(Plot, DrawsARunAndDrawsItAgain) {
   EXPECT_TRUE(read_text(folder / "run/plots/observables.svg") == first);
 }
 
-TEST(Plot, DrawsTheColumnsAskedFor) {
+TEST(Plot, DrawsTheNamedColumns) {
   const TemporaryFolder folder;
   const std::string run = run_in(folder / "run"), svg = (folder / "below/a.svg").string();
   const auto drawn = [&](const std::string& columns) {
@@ -99,13 +99,13 @@ TEST(Plot, DrawsTheColumnsAskedFor) {
     return panels_in(svg);
   };
   EXPECT_EQ(drawn("speed mean"), 1u);
-  EXPECT_EQ(drawn("speed mean,speed max"), 1u);  // of one unit
+  EXPECT_EQ(drawn("speed mean,speed max"), 1u);  // both have one unit
   EXPECT_EQ(drawn("speed mean,total energy,speed max [m/s],step"), 3u);
   EXPECT_EQ(files_below(folder.path()),
             (std::set<std::string>{"below/a.svg", "run/observables.csv"}));
 }
 
-TEST(Plot, DrawsIterationsAndStepsThatWereHalved) {
+TEST(Plot, DrawsIterationsAndHalvedSteps) {
   const TemporaryFolder folder;
   write_text(folder / "run/observables.csv",
              "step,time [s],time step [s],ruled by,least bound [s],divergence iterations,"
@@ -116,14 +116,14 @@ TEST(Plot, DrawsIterationsAndStepsThatWereHalved) {
   const auto r = freshet({"plot", (folder / "run").string(), "--output", svg});
   EXPECT_EQ(r.code, 0) << r.err;
   EXPECT_EQ(panels_in(svg), 3u);  // time step, iterations, error of the solves
-  // lines and, after or before them, the legend's
-  EXPECT_EQ(lines_in(svg, vermilion).size(), 4u);  // divergence in two panels
+  // each curve has a second line in the legend
+  EXPECT_EQ(lines_in(svg, vermilion).size(), 4u);  // divergence is in two panels
   const std::string orange = "rgb(90.2%,62.4%,0%)", sky = "rgb(33.7%,70.6%,91.4%)";
-  EXPECT_EQ(lines_in(svg, orange).size(), 2u);  // steps by flow
-  EXPECT_EQ(lines_in(svg, sky).size(), 2u);     // the one that was halved
+  EXPECT_EQ(lines_in(svg, orange).size(), 2u);  // steps that the flow limits
+  EXPECT_EQ(lines_in(svg, sky).size(), 2u);     // the halved step
 }
 
-TEST(Plot, WritesWhereItIsTold) {
+TEST(Plot, WritesToTheGivenFileOrFolder) {
   const TemporaryFolder folder;
   const std::string run = run_in(folder / "run");
   fs::create_directories(folder / "v1.0");
@@ -141,12 +141,12 @@ TEST(Plot, WritesWhereItIsTold) {
                        "error: cannot make this folder: "));
 }
 
-TEST(Plot, ComparesRuns) {
+TEST(Plot, ComparesARunWithUpToThreeOthers) {
   const TemporaryFolder folder;
   const std::string a = run_in(folder / "a"), b = run_in(folder / "b"),
                     svg = (folder / "both.svg").string();
   freshet({"plot", a, "--columns", "speed max", "--output", svg});
-  EXPECT_EQ(lines_in(svg, blue).size(), 2u);  // with the legend's
+  EXPECT_EQ(lines_in(svg, blue).size(), 2u);  // curve and legend
   const auto r = freshet({"plot", a, "--against", b, "--columns", "speed max", "--output", svg});
   EXPECT_EQ(r.code, 0) << r.err;
   EXPECT_EQ(lines_in(svg, blue).size(), 3u);
@@ -156,20 +156,20 @@ TEST(Plot, ComparesRuns) {
             "--against: error: 4 runs, and more than 3 cannot be told apart; draw some of them\n");
 }
 
-// The time step has the colour of what ruled it: sound blue, step_max vermilion.
-TEST(Plot, TellsWhatRuledTheTimeStep) {
+// Steps limited by sound are blue, steps of step_max vermilion.
+TEST(Plot, ColorsTheTimeStepByItsLimit) {
   const TemporaryFolder folder;
   write_text(folder / "observables.csv",
              "step,time [s],time step [s],ruled by\n"
              "1,0.5,0.5,sound\n2,1,0.7,step_max\n3,1.5,0.4,step_max\n4,2,0.6,sound\n");
   EXPECT_EQ(freshet({"plot", folder.path().string()}).code, 0);
-  using Lines = std::vector<std::string>;  // the last is the legend's
+  using Lines = std::vector<std::string>;  // the last is in the legend
   EXPECT_EQ(lines_in(folder / "plots/observables.svg", blue),
-            (Lines{"MLML", "ML"}));  // first a dot
+            (Lines{"MLML", "ML"}));  // the first step is a dot
   EXPECT_EQ(lines_in(folder / "plots/observables.svg", vermilion), (Lines{"MLL", "ML"}));
 }
 
-TEST(Plot, SaysWhichColumnsThereAre) {
+TEST(Plot, ListsTheColumnsIfOneIsUnknown) {
   const TemporaryFolder folder;
   const std::string run = run_in(folder / "run");
   const std::string all =
@@ -184,7 +184,7 @@ TEST(Plot, SaysWhichColumnsThereAre) {
   EXPECT_FALSE(fs::exists(folder / "run/plots"));
 }
 
-TEST(Plot, DrawsWhatARunHasWrittenSoFar) {
+TEST(Plot, IgnoresAnIncompleteLastRow) {
   const TemporaryFolder folder;
   const std::string run = run_in(folder / "run", "3,1.5,0.5,sou");
   EXPECT_EQ(freshet({"plot", run}).code, 0);
@@ -194,7 +194,7 @@ TEST(Plot, DrawsWhatARunHasWrittenSoFar) {
   EXPECT_TRUE(torn == read_text(folder / "run/plots/observables.svg"));
 }
 
-TEST(Plot, NeedsARun) {
+TEST(Plot, RejectsAFolderWithoutARun) {
   const TemporaryFolder folder;
   const std::string here = folder.path().string();
   EXPECT_EQ(error_of({"plot", here + "/none"}, 2),
@@ -224,7 +224,7 @@ TEST(Plot, NeedsARun) {
   EXPECT_TRUE(contains(error_of({"plot", here, "--frobnicate"}, 2), "--frobnicate"));
 }
 
-TEST(Plot, OnAFullDiskLeavesNoHalfPicture) {
+TEST(Plot, LeavesNoPartialPictureOnAFullDisk) {
   const TemporaryFolder folder;
   const std::string run = run_in(folder / "run");
   const auto r = freshet({"plot", run}, {.file_limit = 1000});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Starts programs from tests and tells how they ended.
+/// Starts programs from tests and returns their exit status and output.
 #pragma once
 #include <fcntl.h>
 #include <poll.h>
@@ -23,18 +23,18 @@ namespace freshet::test {
 
 struct ProcessOptions {
   std::filesystem::path directory = ".";
-  std::vector<std::string> environment = {};     ///< NAME=VALUE, over what the test has
+  std::vector<std::string> environment = {};     ///< NAME=VALUE, added to the test's own
   std::optional<std::uint64_t> file_limit = {};  ///< RLIMIT_FSIZE [B]
-  double seconds = 60;                           ///< after which it is killed
+  double seconds = 60;                           ///< time limit; the process is killed after it [s]
   int signal = 0;                                ///< sent once `signal_after` was read from stdout
   std::string signal_after = {};
-  bool close_stdout_early = false;  ///< the reader goes away after the first bytes
+  bool close_stdout_early = false;  ///< close the reading end after the first bytes
   std::string stdout_file = {};     ///< instead of a pipe
 };
 
 struct ProcessResult {
-  int code = -1;     ///< of exit; -1 if a signal ended it
-  int ended_by = 0;  ///< that signal
+  int code = -1;     ///< exit code; -1 if a signal ended the process
+  int ended_by = 0;  ///< the signal that ended the process, or 0
   bool timed_out = false;
   std::string out, err;
 };
@@ -44,10 +44,10 @@ inline double now() {
   return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
-/// Between fork and exec: only what may be called there.
+/// Runs between fork and exec, where only async-signal-safe functions may be called.
 [[noreturn]] inline void become(std::vector<char*>& argv, const ProcessOptions& o, int out,
                                 int err) {
-  setpgid(0, 0);  // so that a kill takes its children along
+  setpgid(0, 0);  // a kill of the group reaches its children
   const int null = open("/dev/null", O_RDONLY);
   if (!o.stdout_file.empty()) out = open(o.stdout_file.c_str(), O_WRONLY);
   if (dup2(null, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0) _exit(126);
@@ -66,7 +66,7 @@ inline double now() {
   _exit(127);
 }
 
-/// A program that runs; the destructor kills and reaps it.
+/// A running program; the destructor kills and reaps it.
 class Process {
  public:
   Process(const std::vector<std::string>& command, ProcessOptions options = {});
@@ -74,14 +74,14 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// Reads until `text` stands in stdout; false if the program ended or the time was up before.
+  /// Reads until stdout contains `text`; false if the program ended or the time limit was reached.
   bool wait_for(const std::string& text);
-  /// Reads to the end.
+  /// Reads to the end of both pipes and reaps the program.
   ProcessResult finish();
   void send(int signal) const;
 
  private:
-  bool read_some();  ///< false at the end of both pipes, or when the time is up
+  bool read_some();  ///< false at the end of both pipes, or at the time limit
   void consume(int& fd, std::string& text, bool is_stdout);
 
   ProcessOptions options_;
@@ -99,7 +99,7 @@ inline Process::Process(const std::vector<std::string>& command, ProcessOptions 
   argv.push_back(nullptr);
   std::array<int, 2> out{}, err{};
   if (pipe2(out.data(), O_CLOEXEC) != 0 || pipe2(err.data(), O_CLOEXEC) != 0)
-    throw std::runtime_error("no pipe for a program under test");
+    throw std::runtime_error("cannot open a pipe for a program under test");
   pid_ = fork();
   if (pid_ < 0) throw std::runtime_error("cannot start a program under test");
   if (pid_ == 0) become(argv, options_, out[1], err[1]);
@@ -163,19 +163,19 @@ inline ProcessResult Process::finish() {
   return result_;
 }
 
-/// The command from start to end; its first word is looked up in PATH if it has no slash.
+/// Runs the command to its end. Its first word is looked up in PATH if it has no slash.
 inline ProcessResult run_process(const std::vector<std::string>& command,
                                  ProcessOptions options = {}) {
   return Process(command, std::move(options)).finish();
 }
 
-/// The same as words for Process.
+/// The command line of this build's `freshet` with these arguments.
 inline std::vector<std::string> freshet_command(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), FRESHET_PROGRAM);
   return arguments;
 }
 
-/// The `freshet` of this build with these arguments.
+/// Runs this build's `freshet` with these arguments.
 inline ProcessResult freshet(std::vector<std::string> arguments, ProcessOptions options = {}) {
   return run_process(freshet_command(std::move(arguments)), std::move(options));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The program around the runs: help, listings, what is said to wrong arguments.
+/// The program apart from runs: help, lists, messages about wrong arguments, benchmarks.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 using testing::Test;
 using testing::TestWithParam;
 
-/// Exit code 2, nothing on stdout and one line on stderr, which is returned.
+/// Expects exit code 2, nothing on stdout and one line on stderr; returns the line.
 std::string usage_error(const std::vector<std::string>& arguments) {
   const auto r = freshet(arguments);
   EXPECT_EQ(r.code, 2) << r.err;
@@ -38,14 +38,14 @@ INSTANTIATE_TEST_SUITE_P(Commands, Help,
                          testing::Values("", "run", "check", "info", "scenes", "bench", "plot",
                                          "schema", "completion"));
 
-TEST(Program, TellsItsVersion) {
+TEST(Program, PrintsItsVersion) {
   const auto r = freshet({"--version"});
   EXPECT_EQ(r.code, 0);
   EXPECT_TRUE(r.out.starts_with("freshet ")) << r.out;
   EXPECT_EQ(lines_of(r.out).size(), 1u);
 }
 
-TEST(Program, RefusesWrongArguments) {
+TEST(Program, RejectsWrongArguments) {
   EXPECT_TRUE(contains(usage_error({}), "--help"));
   EXPECT_TRUE(contains(usage_error({"frobnicate"}), "frobnicate"));
   EXPECT_TRUE(contains(usage_error({"--frobnicate"}), "--frobnicate"));
@@ -57,7 +57,7 @@ TEST(Program, RefusesWrongArguments) {
   EXPECT_TRUE(contains(usage_error({"completion", "tcsh"}), "tcsh"));
 }
 
-TEST(Program, TellsWhichScenesThereAre) {
+TEST(Program, ListsBundledScenes) {
   const auto r = freshet({"scenes"});
   EXPECT_EQ(r.code, 0) << r.err;
   EXPECT_TRUE(contains(r.out, "article")) << r.out;
@@ -65,7 +65,7 @@ TEST(Program, TellsWhichScenesThereAre) {
   EXPECT_TRUE(contains("\n" + names.out, "\narticle\n")) << names.out;
 }
 
-TEST(Program, FindsAndMissesScenes) {
+TEST(Program, FindsBundledScenesAndRejectsOthers) {
   EXPECT_EQ(freshet({"check", "article"}).code, 0);
   const std::string unknown = usage_error({"check", "artcle"});
   EXPECT_TRUE(contains(unknown, "artcle: error: ")) << unknown;
@@ -75,7 +75,7 @@ TEST(Program, FindsAndMissesScenes) {
   EXPECT_TRUE(contains(usage_error({"check", "/dev/null"}), "not a file"));
 }
 
-TEST(Program, ChecksTheArticle) {
+TEST(Program, CheckAcceptsTheArticle) {
   const auto r = freshet({"check", article});
   EXPECT_EQ(r.code, 0);
   EXPECT_TRUE(contains(r.out, "a good scene")) << r.out;
@@ -83,7 +83,7 @@ TEST(Program, ChecksTheArticle) {
     EXPECT_TRUE(line.starts_with(article + ":") && contains(line, ": warning: ")) << line;
 }
 
-TEST(Program, InformsAboutTheArticle) {
+TEST(Program, InfoPrintsEveryRow) {
   const auto r = freshet({"info", article, "--set", "time.end=0.05"});
   EXPECT_EQ(r.code, 0) << r.err;
   for (const char* row :
@@ -94,7 +94,7 @@ TEST(Program, InformsAboutTheArticle) {
   EXPECT_TRUE(contains(r.out, "50 for 0.05 s")) << r.out;
 }
 
-TEST(Program, InformsAboutTheDiskThatDataTakes) {
+TEST(Program, InfoEstimatesTheSizeOfDataFiles) {
   const auto disk = [](const std::string& data) {
     const auto r = freshet({"info", article, "--set", "time.end=0.05", "--set", data});
     EXPECT_EQ(r.code, 0) << r.err;
@@ -105,7 +105,7 @@ TEST(Program, InformsAboutTheDiskThatDataTakes) {
   EXPECT_FALSE(contains(disk("output.data=[]"), "data of"));
 }
 
-TEST(Overrides, NameTheirKeyInErrors) {
+TEST(Overrides, ErrorsNameTheirKey) {
   const auto error = [](const std::string& pair) {
     return usage_error({"check", article, "--set", pair});
   };
@@ -132,13 +132,13 @@ TEST(Overrides, NameTheirKeyInErrors) {
   EXPECT_TRUE(error("time.end").starts_with("--set time.end: error: write KEY=VALUE"));
 }
 
-TEST(Overrides, AreStringsWhereTheyAreNoToml) {
+TEST(Overrides, ValuesThatAreNotTomlAreStrings) {
   EXPECT_EQ(freshet({"check", article, "--set", "title=Water, falling"}).code, 0);
   EXPECT_EQ(freshet({"check", article, "--set", "solver.search=all_pairs"}).code, 0);
   EXPECT_EQ(freshet({"check", article, "--set", "fluid[0].velocity=[1, 0]"}).code, 0);
 }
 
-TEST(Completion, IsWhatTheShellParses) {
+TEST(Completion, IsParsedByItsShell) {
   const TemporaryFolder folder;
   for (const std::string shell : {"bash", "zsh", "fish"}) {
     const auto r = freshet({"completion", shell});
@@ -148,13 +148,13 @@ TEST(Completion, IsWhatTheShellParses) {
     const std::string script = (folder / shell).string();
     write_text(script, r.out);
     const auto parsed = run_process({shell, "-n", script});
-    if (parsed.code != 127) {  // that shell is installed
+    if (parsed.code != 127) {  // 127: the shell is not installed
       EXPECT_EQ(parsed.code, 0) << parsed.err;
     }
   }
 }
 
-TEST(Completion, OffersCommandsAndScenes) {
+TEST(Completion, OffersCommandsOptionsAndScenes) {
   const TemporaryFolder folder;
   write_text(folder / "bash", freshet({"completion", "bash"}).out);
   const std::string script = "source " + (folder / "bash").string() +
@@ -168,7 +168,7 @@ TEST(Completion, OffersCommandsAndScenes) {
   EXPECT_TRUE(contains(offers("run", "artic", "2"), "article"));
   EXPECT_EQ(offers("bench", "--comp", "2"), "--compare\n");
   EXPECT_EQ(offers("plot", "--agai", "2"), "--against\n");
-  EXPECT_EQ(offers("plot", "artic", "2"), "\n");  // folders, and none is here
+  EXPECT_EQ(offers("plot", "artic", "2"), "\n");  // offers folders only, and there is none
 }
 
 Json bench(std::vector<std::string> more) {
@@ -209,7 +209,7 @@ TEST(Bench, ComparesValuesOfAKey) {
   EXPECT_EQ(runs[0].at("state_sha256"), runs[1].at("state_sha256"));
 }
 
-TEST(Bench, ComparesInATableOfMarkdown) {
+TEST(Bench, PrintsAMarkdownTable) {
   const auto r = freshet({"bench", article, "--steps", "20", "--repeats", "1", "--compare",
                           "solver.search=grid,all_pairs", "--markdown"});
   EXPECT_EQ(r.code, 0) << r.err;
@@ -223,7 +223,7 @@ TEST(Bench, ComparesInATableOfMarkdown) {
     EXPECT_EQ(std::count(line.begin(), line.end(), '|'), 9) << line;
 }
 
-TEST(Bench, MeasuresAdaptiveStepsToTheEnd) {
+TEST(Bench, RunsAdaptiveStepsToTheEnd) {
   const std::string scene = (source_dir / "tests/scenes/good/plain.toml").string();
   const auto r =
       freshet({"bench", scene, "--repeats", "1", "--json", "--set", "solver.name=wcsph", "--set",
@@ -231,11 +231,11 @@ TEST(Bench, MeasuresAdaptiveStepsToTheEnd) {
   ASSERT_EQ(r.code, 0) << r.err;
   const Json json = Json::parse(r.out);
   EXPECT_GE(json.at("time"), 0.02 * (1 - 1e-12));
-  EXPECT_GT(json.at("steps"), 20) << "the longest steps would be two";
-  EXPECT_FALSE(json.contains("iterations")) << "nothing iterates";
+  EXPECT_GT(json.at("steps"), 20) << "steps of step_max would be two";
+  EXPECT_FALSE(json.contains("iterations")) << "wcsph does not iterate";
 }
 
-TEST(Bench, TellsOfIterations) {
+TEST(Bench, ReportsIterationsAndSolveErrors) {
   const std::string scene = (source_dir / "tests/scenes/good/plain.toml").string();
   const std::vector<std::string> compare{
       "bench", scene, "--steps", "5", "--repeats", "1", "--compare", "solver.name=wcsph,dfsph"};
@@ -264,7 +264,7 @@ TEST(Bench, TellsOfIterations) {
       << lines[3];
 }
 
-TEST(Bench, RefusesWhatItCannotCompare) {
+TEST(Bench, RejectsWrongComparisons) {
   EXPECT_TRUE(contains(usage_error({"bench", article, "--compare", "grid"}), "KEY=A,B"));
   EXPECT_TRUE(contains(usage_error({"bench", article, "--compare", "=a,b"}), "KEY=A,B"));
   EXPECT_TRUE(contains(usage_error({"bench", article, "--compare", "solver.search=grid,fast"}),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// `freshet render` draws a finished run again.
+/// `freshet render` draws pictures of a finished run.
 #include <gtest/gtest.h>
 
 #include "cli/files.h"
@@ -10,7 +10,7 @@
 namespace freshet::test {
 namespace {
 
-/// A finished run of two dots that are drawn further apart in each of three frames.
+/// Writes a finished run of three frames; its two particles move apart.
 void make_run(const fs::path& folder) {
   write_text(folder / "scene.toml",
              "domain.max = [2, 1]\nparticles.spacing = 0.1\ntime = { end = 2, step = 1e-3 }\n"
@@ -52,7 +52,7 @@ TEST_F(Render, DrawsEveryFrameOfARun) {
   EXPECT_FALSE(fs::exists(run / "pictures/frame_0003.png"));
 }
 
-TEST_F(Render, ChangesWhatAPictureShows) {
+TEST_F(Render, AppliesPictureSettings) {
   EXPECT_EQ(render().code, 0);
   const auto r = render({"--set", "picture.width=100", "--set", "picture.color_by=id", "--output",
                          (folder / "other").string(), "--quiet"});
@@ -61,34 +61,34 @@ TEST_F(Render, ChangesWhatAPictureShows) {
   EXPECT_EQ(picture(folder / "other/frame_0000.png").width, 100);
 }
 
-TEST_F(Render, ChangesNothingElse) {
+TEST_F(Render, RejectsOtherAndInvalidSettings) {
   expect_refused(render({"--set", "time.end=3"}), "--set time.end: error: the run is over");
   expect_refused(render({"--set", "picture.color_by=heat"}), "picture.color_by is the string");
   expect_refused(render({"--set", "camera.orbit=3"}), "a camera is of scenes in 3D");
   EXPECT_FALSE(fs::exists(run / "pictures"));
 }
 
-TEST_F(Render, ReplacesPicturesOnlyIfAllowed) {
+TEST_F(Render, ReplacesPicturesOnlyWithOverwrite) {
   EXPECT_EQ(render().code, 0);
   expect_refused(render(), "--overwrite replaces them");
   EXPECT_EQ(render({"--overwrite"}).code, 0);
 }
 
-TEST_F(Render, NeedsARunWithData) {
+TEST_F(Render, RejectsARunWithoutData) {
   fs::remove_all(run / "data");
   expect_refused(render(), "this run wrote no data to draw");
   fs::remove(run / "scene.toml");
   expect_refused(render(), "no run is in this folder");
 }
 
-TEST_F(Render, MakesAFilmOfTheLengthOfTheRun) {
+TEST_F(Render, VideoIsAsLongAsTheRun) {
   const std::string film = (folder / "film.mp4").string();
   if (run_process({"ffprobe", "-version"}).code != 0) GTEST_SKIP() << "ffmpeg is not installed";
   const auto r = render({"--video", film, "--fps", "50"});
   EXPECT_EQ(r.code, 0) << r.err;
   const auto frames = run_process({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
                                    "stream=nb_read_frames", "-of", "csv=p=0", film});
-  EXPECT_EQ(frames.out.substr(0, 2), "11");  // 0.2 s, and the last one
+  EXPECT_EQ(frames.out.substr(0, 2), "11");  // 0.2 s at 50 frames/s, and the last frame
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Runs that are stopped, killed, torn or out of disk, and go on.
+/// `freshet resume` continues runs that were interrupted, killed, damaged or out of disk space.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace freshet::test {
 namespace {
 
-// Frames, observables and checkpoints at steps that have nothing to do with each other.
+// Frames, observables and checkpoints are written at different steps.
 constexpr const char* scene = R"([domain]
 max = [1.0, 1.0]
 [particles]
@@ -64,7 +64,7 @@ class Resume : public ::testing::Test {
     std::sort(all.begin(), all.end());
     return all;
   }
-  /// The state, the tables and the pictures are to the byte those of a run without a stop.
+  /// Expects equal bytes of state, tables and pictures in both runs.
   void expect_same_run(const std::string& a, const std::string& b) const {
     const auto files = files_below(folder / a);
     EXPECT_EQ(files, files_below(folder / b));
@@ -80,9 +80,9 @@ class Resume : public ::testing::Test {
   const TemporaryFolder folder;
 };
 
-// At 5 moments, or as many as FRESHET_KILLS says, spread over the time that a run takes. A kill
-// that comes before the first checkpoint, or too late, is told from one that counts.
-TEST_F(Resume, AfterAKillAtAnyMoment) {
+// Kills 5 runs, or FRESHET_KILLS of them, at random times. A kill before the first checkpoint or
+// after the end does not count.
+TEST_F(Resume, GivesTheSameRunAfterAKillAtAnyMoment) {
   const std::vector<std::string> longer{"--set", "time.end=0.8", "--threads", "1"};
   const double start = now();
   ASSERT_EQ(freshet(arguments("whole", longer)).code, 0);
@@ -98,7 +98,7 @@ TEST_F(Resume, AfterAKillAtAnyMoment) {
     std::this_thread::sleep_for(std::chrono::duration<double>(moment));
     killed.send(SIGKILL);
     killed.finish();
-    if (fs::exists(folder / name / "report.json")) continue;  // it was through
+    if (fs::exists(folder / name / "report.json")) continue;  // the run had ended
     const auto r = resume(name);
     if (checkpoints(name).empty()) {
       EXPECT_EQ(r.code, fs::exists(folder / name) ? 2 : 1) << r.err;
@@ -112,7 +112,7 @@ TEST_F(Resume, AfterAKillAtAnyMoment) {
   EXPECT_EQ(resumed, kills);
 }
 
-TEST_F(Resume, TwiceAndAfterCtrlC) {
+TEST_F(Resume, GivesTheSameStateAfterCtrlC) {
   ASSERT_EQ(freshet(arguments("whole")).code, 0);
   const auto r = freshet(arguments("cut", {"--set", "time.end=30", "--log", "json"}),
                          {.signal = SIGINT, .signal_after = "progress"});
@@ -122,7 +122,7 @@ TEST_F(Resume, TwiceAndAfterCtrlC) {
   ASSERT_FALSE(checkpoints("cut").empty());
   const std::int64_t steps = report_of(folder / "cut").at("steps");
   EXPECT_TRUE(contains(checkpoints("cut").back().string(), std::to_string(steps)));
-  // to an end that is 40 steps ahead
+  // the new end is 40 steps later
   const std::string end = "time.end=" + std::to_string(double(steps + 40) * 0.0005);
   const auto on = resume("cut", {"--set", end});
   EXPECT_EQ(on.code, 0) << on.err;
@@ -131,7 +131,7 @@ TEST_F(Resume, TwiceAndAfterCtrlC) {
             report_of(folder / "long").at("state_sha256"));
 }
 
-TEST_F(Resume, ProlongsARunAsIfItHadBeenLonger) {
+TEST_F(Resume, ExtendedRunEqualsALongerRun) {
   ASSERT_EQ(freshet(arguments("whole")).code, 0);
   ASSERT_EQ(freshet(arguments("short", {"--set", "time.end=0.1"})).code, 0);
   const auto at_end = resume("short");
@@ -142,12 +142,12 @@ TEST_F(Resume, ProlongsARunAsIfItHadBeenLonger) {
   expect_same_run("whole", "short");
 }
 
-TEST_F(Resume, FromTheOneBeforeATornOrDamagedOne) {
+TEST_F(Resume, UsesTheCheckpointBeforeADamagedOne) {
   ASSERT_EQ(freshet(arguments("whole")).code, 0);
   for (const bool torn : {true, false}) {
     const std::string name = torn ? "torn" : "damaged";
     ASSERT_EQ(freshet(arguments(name, {"--set", "time.end=0.1"})).code, 0);
-    ASSERT_EQ(checkpoints(name).size(), 2u) << "the last two stay";
+    ASSERT_EQ(checkpoints(name).size(), 2u) << "a run keeps its last two checkpoints";
     const fs::path newest = checkpoints(name).back();
     std::string bytes = read_text(newest);
     if (torn) bytes.resize(bytes.size() / 3);
@@ -162,7 +162,7 @@ TEST_F(Resume, FromTheOneBeforeATornOrDamagedOne) {
   }
 }
 
-TEST_F(Resume, WithNoWholeCheckpointSaysSoAndTouchesNothing) {
+TEST_F(Resume, FailsWithoutAnIntactCheckpointAndChangesNothing) {
   ASSERT_EQ(freshet(arguments("run", {"--set", "time.end=0.1"})).code, 0);
   for (const fs::path& file : checkpoints("run")) write_text(file, "nothing");
   const auto before = read_text(folder / "run/manifest.json");
@@ -211,7 +211,7 @@ TEST_F(Resume, BeginsAMissingTableAgain) {
   EXPECT_TRUE(rows.substr(header).starts_with("204,")) << rows.substr(header, 20);
 }
 
-TEST_F(Resume, RefusesWhatIsNoRun) {
+TEST_F(Resume, RejectsAFolderWithoutARun) {
   fs::create_directories(folder / "empty");
   const auto none = resume("empty");
   EXPECT_EQ(none.code, 2);
@@ -221,7 +221,7 @@ TEST_F(Resume, RefusesWhatIsNoRun) {
   EXPECT_TRUE(contains(nowhere.err, "cannot open this folder")) << nowhere.err;
 }
 
-TEST_F(Resume, ChangesNothingThatStepsDependOn) {
+TEST_F(Resume, RejectsChangesOfTheSimulation) {
   ASSERT_EQ(freshet(arguments("run", {"--set", "time.end=0.1"})).code, 0);
   for (const char* change : {"particles.spacing=0.1", "time.step=0.001", "solver.backend=reference",
                              "fluid.viscosity=1", "time.ending=2"}) {
@@ -236,10 +236,10 @@ TEST_F(Resume, ChangesNothingThatStepsDependOn) {
   EXPECT_TRUE(contains(typo.err, "did you mean output.frame_every")) << typo.err;
 }
 
-// A disk that fills up while a checkpoint is written: the ones before stay, and the run goes on
-// from there when there is room again.
-TEST_F(Resume, AfterAFullDisk) {
-  // so many particles that the limit is beyond what the thread sanitizer writes for itself
+// The disk is full while a checkpoint is written. Earlier checkpoints stay, and the run resumes
+// from them when there is space again.
+TEST_F(Resume, ContinuesAfterAFullDisk) {
+  // enough particles that the file limit exceeds what the thread sanitizer itself writes
   const auto many = [](const std::string& end) {
     return std::vector<std::string>{
         "--set", "particles.spacing=0.0035",         "--set", "time.step=0.00002",
@@ -262,8 +262,7 @@ TEST_F(Resume, AfterAFullDisk) {
             report_of(folder / "whole").at("state_sha256"));
 }
 
-// The folder of a run needs nothing outside.
-TEST_F(Resume, AfterItsFileOfPointsIsGone) {
+TEST_F(Resume, NeedsNoFileOutsideTheRunFolder) {
   std::string points = "x,y\n";
   for (int k = 0; k < 40; ++k)
     points +=
@@ -285,7 +284,7 @@ TEST_F(Resume, AfterItsFileOfPointsIsGone) {
   EXPECT_EQ(again.code, 0) << again.err;
   EXPECT_EQ(report_of(folder / "again").at("state_sha256"),
             report_of(folder / "elsewhere").at("state_sha256"));
-  // into the very folder that its points lie in
+  // overwrites the folder that contains the file of points
   const auto over = freshet({"run", (folder / "elsewhere/scene.toml").string(), "--output",
                              (folder / "elsewhere").string(), "--overwrite"});
   EXPECT_EQ(over.code, 0) << over.err;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The folder of a run: what stands in it, and what a run never touches.
+/// The folder of a run: its files, and the files that a run must not change.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -23,7 +23,7 @@ void expect_refused(const std::vector<std::string>& arguments, const std::string
   EXPECT_TRUE(contains(r.err, words)) << r.err;
 }
 
-TEST(RunFolder, HoldsWhatItsManifestSays) {
+TEST(RunFolder, MatchesItsManifest) {
   const TemporaryFolder folder;
   const auto r = freshet(short_run(folder.path(), {"--set", "checks.height_mean_max=3"}));
   EXPECT_EQ(r.code, 0) << r.err;
@@ -39,7 +39,7 @@ TEST(RunFolder, HoldsWhatItsManifestSays) {
   EXPECT_EQ(report_of(folder.path()).at("steps"), 50);
 }
 
-TEST(RunFolder, HoldsTheSceneAsItIs) {
+TEST(RunFolder, HoldsAnExactCopyOfTheScene) {
   const TemporaryFolder folder;
   const std::string scene = (source_dir / "tests/scenes/good/windows_line_ends.toml").string();
   const auto r = freshet({"run", scene, "--output", folder.path().string()});
@@ -47,7 +47,7 @@ TEST(RunFolder, HoldsTheSceneAsItIs) {
   EXPECT_EQ(read_text(folder / "scene.toml"), read_text(scene));
 }
 
-TEST(RunFolder, HoldsTheSceneAsRun) {
+TEST(RunFolder, HoldsTheSceneWithItsOverrides) {
   const TemporaryFolder folder;
   const std::string title = "two\nlines = 1, ''' and \"\"\" and \x1b[31m";
   auto arguments = short_run(folder / "a", {"--set", "title=" + title});
@@ -64,7 +64,7 @@ TEST(RunFolder, HoldsTheSceneAsRun) {
   EXPECT_EQ(second.at("state_sha256"), first.at("state_sha256"));
 }
 
-TEST(RunFolder, IsNotOverwrittenUnasked) {
+TEST(RunFolder, IsNotChangedWithoutOverwrite) {
   const TemporaryFolder folder;
   freshet(short_run(folder.path()));
   const auto before = snapshot(folder.path());
@@ -72,7 +72,7 @@ TEST(RunFolder, IsNotOverwrittenUnasked) {
   EXPECT_EQ(snapshot(folder.path()), before);
 }
 
-TEST(RunFolder, IsOverwrittenWithoutTouchingStrangers) {
+TEST(RunFolder, KeepsForeignFilesWhenOverwritten) {
   const TemporaryFolder folder;
   freshet(short_run(folder.path(), {"--set", "output.frame_every_steps=5"}));
   write_text(folder / "notes.txt", "mine");
@@ -80,12 +80,12 @@ TEST(RunFolder, IsOverwrittenWithoutTouchingStrangers) {
   EXPECT_TRUE(fs::exists(folder / "frames/frame_0009.png"));
   const auto r = freshet(short_run(folder.path(), {"--overwrite"}));
   EXPECT_FALSE(contains(r.err, "error: this")) << r.err;
-  EXPECT_FALSE(fs::exists(folder / "frames/frame_0009.png"));  // named by the first manifest
+  EXPECT_FALSE(fs::exists(folder / "frames/frame_0009.png"));  // listed in the first manifest
   EXPECT_EQ(read_text(folder / "notes.txt"), "mine");
   EXPECT_EQ(read_text(folder / "frames/holiday.png"), "mine too");
 }
 
-TEST(RunFolder, IsRefusedWhereAStrangersFileWouldBeReplaced) {
+TEST(RunFolder, IsRejectedIfAForeignFileWouldBeReplaced) {
   const TemporaryFolder folder;
   write_text(folder / "result.png", "my picture");
   for (const bool overwrite : {false, true}) {
@@ -97,7 +97,7 @@ TEST(RunFolder, IsRefusedWhereAStrangersFileWouldBeReplaced) {
   }
 }
 
-TEST(RunFolder, WithAForgedManifestDeletesNothingOutside) {
+TEST(RunFolder, ForgedManifestDeletesNothingOutside) {
   const TemporaryFolder folder;
   const std::string victim = (folder / "victim.txt").string();
   const Json names = {"../victim.txt",
@@ -117,7 +117,7 @@ TEST(RunFolder, WithAForgedManifestDeletesNothingOutside) {
   expect_whole_run(folder / "run");
 }
 
-TEST(RunFolder, WithSomeOtherManifestIsRefused) {
+TEST(RunFolder, IsRejectedWithAnInvalidManifest) {
   for (const char* text : {"", "[]", "3", "{", "{\"files\": 3}", "{\"files\": [3]}",
                            "{\"files\": [{\"file\": 3}]}", "null"}) {
     const TemporaryFolder folder;
@@ -127,7 +127,7 @@ TEST(RunFolder, WithSomeOtherManifestIsRefused) {
   }
 }
 
-TEST(RunFolder, TakesOneRunAtATime) {
+TEST(RunFolder, IsLockedByItsRun) {
   const TemporaryFolder folder;
   Process first(freshet_command(long_run(folder.path())));
   ASSERT_TRUE(first.wait_for("particles"));
@@ -138,7 +138,7 @@ TEST(RunFolder, TakesOneRunAtATime) {
   expect_whole_run(folder.path());
 }
 
-TEST(RunFolder, CannotBeMade) {
+TEST(RunFolder, ReportsThatItCannotBeCreated) {
   const TemporaryFolder folder;
   write_text(folder / "file", "mine");
   for (const std::string& output :
@@ -152,7 +152,7 @@ TEST(RunFolder, CannotBeMade) {
   EXPECT_EQ(read_text(folder / "file"), "mine");
 }
 
-TEST(RunFolder, OnAFullDiskHasNoHalfFiles) {
+TEST(RunFolder, HasNoPartialFilesOnAFullDisk) {
   const std::uint64_t below_a_picture = 20000, below_a_manifest = 50;
   for (const std::uint64_t limit : {below_a_picture, below_a_manifest}) {
     const TemporaryFolder folder;
@@ -170,7 +170,7 @@ TEST(RunFolder, OnAFullDiskHasNoHalfFiles) {
   }
 }
 
-TEST(RunFolder, OfAKilledRunCanBeReplaced) {
+TEST(RunFolder, OfAKilledRunCanBeOverwritten) {
   const TemporaryFolder folder;
   Process killed(freshet_command(long_run(folder.path())));
   ASSERT_TRUE(killed.wait_for("particles"));

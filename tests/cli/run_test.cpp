@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How runs end and what they say meanwhile.
+/// Exit codes, output and logs of runs.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -17,7 +17,7 @@ std::vector<std::string> good_run(const fs::path& output, std::vector<std::strin
   return short_run(output, more);
 }
 
-TEST(Run, SaysPlainLinesToAPipe) {
+TEST(Run, PrintsPlainLinesToAPipe) {
   const TemporaryFolder folder;
   const auto r = freshet(good_run(folder.path()));
   EXPECT_EQ(r.code, 0) << r.err;
@@ -29,7 +29,7 @@ TEST(Run, SaysPlainLinesToAPipe) {
   EXPECT_TRUE(r.out.ends_with('\n'));
 }
 
-TEST(Run, LogsJson) {
+TEST(Run, LogsJsonEvents) {
   const TemporaryFolder folder;
   const auto r = freshet(good_run(folder.path(), {"--log", "json"}));
   EXPECT_EQ(r.code, 0) << r.err;
@@ -54,7 +54,7 @@ std::vector<std::string> run_of_dfsph(const fs::path& output, std::vector<std::s
   return all;
 }
 
-TEST(Run, SaysHowItsSolverIterates) {
+TEST(Run, PrintsSolveStatistics) {
   const TemporaryFolder folder;
   const auto r = freshet(run_of_dfsph(folder.path()));
   EXPECT_EQ(r.code, 0) << r.err;
@@ -65,10 +65,10 @@ TEST(Run, SaysHowItsSolverIterates) {
   ASSERT_EQ(solves.size(), 2u);
   EXPECT_EQ(solves[0].at("name"), "divergence");
   EXPECT_EQ(solves[1].at("name"), "density");
-  EXPECT_GE(solves[1].at("solves"), 20);  // one a step, and more where steps were halved
+  EXPECT_GE(solves[1].at("solves"), 20);  // one per step, and more if steps were halved
 }
 
-TEST(Run, LogsHowItsSolverIterates) {
+TEST(Run, LogsSolveStatistics) {
   const TemporaryFolder folder;
   const auto r = freshet(run_of_dfsph(folder.path(), {"--log", "json"}));
   EXPECT_EQ(r.code, 0) << r.err;
@@ -90,7 +90,7 @@ TEST(Run, LogsHowItsSolverIterates) {
   EXPECT_EQ(done.at("solves")[1].at("worst_error"), solves[1].at("worst_error"));
 }
 
-TEST(Run, SaysNothingWhereQuiet) {
+TEST(Run, PrintsNothingWithQuiet) {
   const TemporaryFolder folder;
   const auto r = freshet(good_run(folder.path(), {"--quiet"}));
   EXPECT_EQ(r.code, 0);
@@ -99,7 +99,7 @@ TEST(Run, SaysNothingWhereQuiet) {
   expect_whole_run(folder.path());
 }
 
-TEST(Run, NeedsNoReader) {
+TEST(Run, IsCompleteWithoutAReaderOfItsOutput) {
   const TemporaryFolder folder;
   const auto gone =
       freshet(good_run(folder / "gone", {"--set", "time.end=1"}), {.close_stdout_early = true});
@@ -110,7 +110,7 @@ TEST(Run, NeedsNoReader) {
   expect_whole_run(folder / "full");
 }
 
-TEST(Run, FailsWithItsChecks) {
+TEST(Run, FailsIfACheckFails) {
   const TemporaryFolder folder;
   const auto r = freshet(good_run(folder.path(), {"--set", "checks.density_mean_min=100"}));
   EXPECT_EQ(r.code, 1);
@@ -121,7 +121,7 @@ TEST(Run, FailsWithItsChecks) {
   expect_whole_run(folder.path());
 }
 
-TEST(Run, EndsWellWhenInterrupted) {
+TEST(Run, IsCompleteWhenInterrupted) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const TemporaryFolder folder;
     const auto r =
@@ -146,7 +146,7 @@ TEST(Run, LogsAnInterruption) {
   EXPECT_EQ(Json::parse(lines_of(r.out).back()).at("event"), "interrupted");
 }
 
-TEST(Run, TellsOfParticlesThatAreLost) {
+TEST(Run, ReportsALostParticle) {
   const TemporaryFolder folder;
   const std::string scene = (source_dir / "tests/scenes/good/plain.toml").string();
   const auto r = freshet({"run", scene, "--output", folder.path().string(), "--quiet",  //
@@ -161,7 +161,7 @@ TEST(Run, TellsOfParticlesThatAreLost) {
   expect_whole_run(folder.path());
 }
 
-TEST(Run, IsTheSameForAnyNumberOfThreads) {
+TEST(Run, HasTheSameBitsOnOneAndThreeThreads) {
   const TemporaryFolder folder;
   freshet(good_run(folder / "one", {"--threads", "1"}));
   freshet(good_run(folder / "three", {"--threads", "3"}));
@@ -187,11 +187,11 @@ TEST(Video, NeedsFfmpeg) {
   EXPECT_TRUE(contains(r.err, "ffmpeg")) << r.err;
   EXPECT_TRUE(contains(r.err, "apt-get install ffmpeg")) << r.err;
   EXPECT_FALSE(fs::exists(folder / "water.mp4"));
-  const auto after = freshet(good_run(folder / "run"));  // nothing stands in the way
+  const auto after = freshet(good_run(folder / "run"));  // the rejected run left nothing behind
   EXPECT_EQ(after.code, 0) << after.err;
 }
 
-TEST(Video, IsRefusedUnderAWrongName) {
+TEST(Video, RejectsAnUnknownSuffix) {
   const TemporaryFolder folder;
   const auto r = freshet(good_run(folder / "run", {"--video", (folder / "water.avi").string()}));
   EXPECT_EQ(r.code, 2);
@@ -199,7 +199,7 @@ TEST(Video, IsRefusedUnderAWrongName) {
   EXPECT_FALSE(fs::exists(folder / "run/manifest.json"));
 }
 
-TEST(Video, IsMadeOfTheRun) {
+TEST(Video, IsWrittenAndNotReplaced) {
   if (run_process({"ffmpeg", "-version"}).code != 0) GTEST_SKIP() << "ffmpeg is not installed";
   const TemporaryFolder folder;
   for (const std::string kind : {"mp4", "gif"}) {

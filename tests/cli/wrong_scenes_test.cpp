@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Every scene of tests/scenes/wrong goes wrong on purpose, or looks as if it did, and ends with
-/// the code and the words beside it, which are what a user reads.
+/// The scenes of tests/scenes/wrong go wrong on purpose, or seem to. Each ends with the exit code
+/// and the messages of its .expected file.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ ProcessResult run_wrong(const std::string& name, const fs::path& output,
   return freshet(all, {.directory = source_dir, .seconds = 120});
 }
 
-/// The words with RUN for the folder of the run.
+/// `words` with RUN in place of the run's folder.
 std::string with_run(std::string words, const fs::path& folder) {
   const std::string path = folder.string();
   for (auto at = words.find(path); at != std::string::npos; at = words.find(path))
@@ -46,8 +46,8 @@ std::string name_of(const testing::TestParamInfo<std::string>& info) { return in
 
 class WrongScene : public testing::TestWithParam<std::string> {};
 
-TEST_P(WrongScene, EndsInTheseWords) {
-  if (sizeof(Real) != sizeof(float)) GTEST_SKIP() << "the words name 32-bit numbers";
+TEST_P(WrongScene, EndsWithTheExpectedMessages) {
+  if (sizeof(Real) != sizeof(float)) GTEST_SKIP() << "the messages contain 32-bit numbers";
   if (!has_solver(
           load_scene(source_dir / ("tests/scenes/wrong/" + GetParam() + ".toml")).solver.name))
     GTEST_SKIP() << "not compiled in this build";
@@ -69,7 +69,7 @@ TEST_P(WrongScene, EndsInTheseWords) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, WrongScene, testing::ValuesIn(wrong_scenes()), name_of);
 
-TEST(WrongScenes, KeepTheFramesBeforeTheEnd) {
+TEST(WrongScenes, KeepFramesWrittenBeforeTheFailure) {
   const TemporaryFolder folder;
   const auto r =
       run_wrong("step_ten_times_its_bound", folder.path(), {"--set", "output.frame_every_steps=3"});
@@ -79,7 +79,7 @@ TEST(WrongScenes, KeepTheFramesBeforeTheEnd) {
   expect_whole_run(folder.path());
 }
 
-// A checkpoint of a particle that is lost is not written.
+// No checkpoint of a lost particle is written.
 TEST(WrongScenes, NameThePictureAndTheLastGoodCheckpoint) {
   const TemporaryFolder folder;
   const auto r = run_wrong("step_ten_times_its_bound", folder.path(),
@@ -98,7 +98,7 @@ TEST(WrongScenes, NameThePictureAndTheLastGoodCheckpoint) {
   expect_whole_run(folder.path());
 }
 
-TEST(WrongScenes, GoOnToTheEndWhereAsked) {
+TEST(WrongScenes, RunToTheEndIfWhenWrongIsWarn) {
   const TemporaryFolder folder;
   const auto r = run_wrong("stiffness_too_small", folder.path(),
                            {"--set", "checks.when_wrong=warn", "--quiet"});
@@ -114,7 +114,7 @@ TEST(WrongScenes, GoOnToTheEndWhereAsked) {
   EXPECT_LT(warning.at("first_step"), warning.at("last_step"));
 }
 
-TEST(WrongScenes, AreLoggedAsEvents) {
+TEST(WrongScenes, LogWarningsAsEvents) {
   const TemporaryFolder folder;
   const auto r = run_wrong("step_over_its_bound", folder.path(), {"--log", "json"});
   EXPECT_EQ(r.code, 0) << r.err;

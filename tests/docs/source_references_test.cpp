@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The documentation quotes code of the sources and names tests: both must exist.
+/// The code that the documentation quotes and the tests that it names must exist.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -22,7 +22,7 @@ std::string read(const fs::path& file) {
   return text.str();
 }
 
-/// Those of docs/*.md and README*.md.
+/// docs/*.md and the *.md files beside the README.
 std::vector<fs::path> documents() {
   std::vector<fs::path> files;
   for (const fs::path& folder : {source, source / "docs"})
@@ -40,10 +40,10 @@ struct Reference {
   }
 };
 
-/// Every link [`FILE`](FILE) to a source, and the `code` that follows after a few characters. In a
-/// table a bar within code is written \|.
+/// Every link [`FILE`](FILE) to a source, with the `code` that follows within a few characters. A
+/// table writes a bar within code as \|.
 std::set<Reference> references(const std::string& text) {
-  constexpr std::size_t near = 12;  // room for punctuation, a line break, a table's bar
+  constexpr std::size_t near = 12;  // punctuation, a line break or a table's bar
   static const std::regex form(
       "\\[`([A-Za-z0-9_./-]+\\.(?:h|cpp|cu))`\\]\\((?:\\.\\./)?([^)]*)\\)");
   std::set<Reference> all;
@@ -66,7 +66,7 @@ bool holds(const std::string& file, const std::string& code) {
   return false;
 }
 
-/// A line for each reference in `text` that is wrong.
+/// One message for each wrong reference in `text`.
 std::vector<std::string> wrong(const std::string& text) {
   std::vector<std::string> all;
   for (const Reference& r : references(text))
@@ -82,7 +82,7 @@ TEST(SourceReferences, QuoteCodeThatExists) {
   EXPECT_GT(references(read(source / "docs/article.md")).size(), 20u);
 }
 
-TEST(SourceReferences, AreChecked) {
+TEST(SourceReferences, WrongReferencesAreFound) {
   const std::string name = "tests/docs/source_references_test.cpp";
   const std::string here = "[`" + name + "`](../" + name + ")";
   EXPECT_EQ(0u, wrong(here + ": `// SPDX-License-Identifier: MIT`").size());
@@ -121,7 +121,7 @@ std::set<std::string> tests() {
   return names;
 }
 
-TEST(SourceReferences, NameTestsThatExist) {
+TEST(SourceReferences, NameArticleTestsThatExist) {
   static const std::regex form("`(Article[A-Za-z0-9]*\\.[A-Za-z0-9]+)`");
   const std::set<std::string> existing = tests();
   for (const fs::path& document : documents()) {

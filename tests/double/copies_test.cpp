@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Copies of particles, mirrored at walls and repeated in periodic boxes, act as particles there do.
+// Mirror and periodic images exert the forces of real particles at their places.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -10,7 +10,7 @@
 namespace freshet {
 namespace {
 
-/// Some fluid whose set has copies.
+/// A fluid whose set has images.
 template <int D, class Solver> struct Fluid {
   using Backend = ReferenceBackend<D>;
   using Rules = typename Copies<D>::Rules;
@@ -36,7 +36,7 @@ template <int D, class Solver> struct Fluid {
       f.rho[i] = solver.c.rho0 * (1 + Real(0.01) * std::sin(7 * Real(i % 16)));
     }
   }
-  /// A step of no length leaves what each particle feels.
+  /// A step of length 0 leaves the accelerations.
   std::vector<Vec<D>> accelerations() {
     solver.step(backend, f, walls, {0, 0});
     return {f.a.data, f.a.data + f.n};
@@ -55,7 +55,8 @@ double difference(const std::vector<Vec<D>>& a, const std::vector<Vec<D>>& b, st
   return most / largest(b);
 }
 
-/// n points in [0, 1)^D, each in a cell of its own so that none come too close, and velocities.
+/// side^D points in [0, 1)^D with random velocities. Each is in a cell of its own, so that none
+/// are too close.
 template <int D> struct Stirred {
   std::vector<Vec<D>> x, v;
   explicit Stirred(int side) {
@@ -110,7 +111,7 @@ template <int D> CopyRule<D> mirror(int axis, double at, double inward, bool no_
 
 template <int D, class Solver> void expect_mirror_images(const Solver& solver, int side) {
   for (const bool no_slip : {false, true}) {
-    // Walls at x = 0 and y = 0: the images of the images stand in the corner.
+    // Walls at x = 0 and y = 0: the corner has images of images.
     const Stirred<D> some(side);
     Fluid<D, Solver> with_ghosts(solver, some.x, some.v,
                                  {mirror<D>(0, 0, 1, no_slip), mirror<D>(1, 0, 1, no_slip)});
@@ -124,7 +125,7 @@ template <int D, class Solver> void expect_mirror_images(const Solver& solver, i
         v.push_back(speed);
       }
     Fluid<D, Solver> with_images(solver, x, v, {});
-    for (int i = 0; i < with_images.f.n; ++i)  // an image is as dense
+    for (int i = 0; i < with_images.f.n; ++i)  // an image has its particle's density
       with_images.f.rho[i] = with_ghosts.f.rho[i % with_ghosts.f.n];
     const auto ghosts = with_ghosts.accelerations(), images = with_images.accelerations();
     EXPECT_GT(with_ghosts.f.copies, 0);
@@ -132,7 +133,7 @@ template <int D, class Solver> void expect_mirror_images(const Solver& solver, i
   }
 }
 
-TEST(Ghosts, ActAsMirrorImages) {
+TEST(Ghosts, GiveTheAccelerationsOfMirrorImages) {
   expect_mirror_images<2>(wcsph<2>(10), 10);
   expect_mirror_images<3>(wcsph<3>(6), 6);
   expect_mirror_images<2>(delta_sph<2>(10, false), 10);
@@ -140,8 +141,7 @@ TEST(Ghosts, ActAsMirrorImages) {
   expect_mirror_images<2>(mueller2003<2>(10), 10);
 }
 
-// Along the wall free slip keeps a stream, and no slip holds it back.
-TEST(Ghosts, SlipOrHoldOn) {
+TEST(Ghosts, FreeSlipKeepsAStreamAndNoSlipSlowsIt) {
   const auto push_along = [](bool no_slip) {
     auto solver = delta_sph<2>(10, false);
     Stirred<2> some(10);
@@ -214,7 +214,7 @@ template <int D, class Solver> void expect_no_place_is_special(Solver solver, in
     }
 }
 
-TEST(PeriodicBox, HasNoSpecialPlace) {
+TEST(PeriodicBox, DoesNotDependOnTheOriginAndConservesMomentum) {
   expect_no_place_is_special<2>(wcsph<2>(10), 10);
   expect_no_place_is_special<3>(wcsph<3>(6), 6);
   expect_no_place_is_special<2>(delta_sph<2>(10, true), 10);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The order in the time step of every integrator with every solver, on a patch that nothing holds.
+// Convergence order in the time step of each integrator with each solver, on a free patch of fluid.
 #include <gtest/gtest.h>
 
 #include "kernels/wendland.h"
@@ -8,7 +8,7 @@
 namespace freshet {
 namespace {
 
-constexpr double end = 0.1;  // [s]: sound crosses the patch
+constexpr double end = 0.1;  // [s]; sound crosses the patch in this time
 constexpr int coarsest = 50, finest = 400;
 
 template <class Solver> auto after(const Solver& solver, int steps) {
@@ -41,9 +41,9 @@ auto mueller2003(Integrator integrator) {
 }
 auto wcsph(Integrator integrator) {
   auto c = weakly_compressible_patch<2>(integrator);
-  c.rho0 = Real(0.25);  // under pressure everywhere: where pressures end, so does smoothness
-  c.c0 = Real(0.1);     // so dense, sound has 10 m/s
-  c.alpha = 0;          // it sets in where particles begin to approach
+  c.rho0 = Real(0.25);  // pressure is positive everywhere: the cut-off at 0 is not smooth
+  c.c0 = Real(0.1);     // sound has 10 m/s at this compression
+  c.alpha = 0;          // artificial viscosity is not smooth where particles begin to approach
   return Wcsph<2, Backend2, WendlandC2>{c, WendlandC2<2>(c.support)};
 }
 auto delta_sph(Integrator integrator) {

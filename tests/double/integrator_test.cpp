@@ -7,12 +7,13 @@ namespace freshet {
 namespace {
 
 static_assert(sizeof(Real) == 8,
-              "in floats rounding would cover the errors that are measured here");
+              "rounding errors of float would hide the errors that are measured here");
 
-constexpr double end = 0.1;  // [s]: sound crosses the patch
+constexpr double end = 0.1;  // [s]; sound crosses the patch in this time
 constexpr int coarsest = 25, finest = 400;
 
-/// The patch at the end of a run of that many steps; `half_step_early` are its first velocities.
+/// The patch after this number of steps. With `half_step_early`, the initial velocities are those
+/// of half a step earlier.
 FreePatch after(int steps, bool article, bool half_step_early = false, Real mu = 0.1) {
   auto c = mueller2003_patch<2>(Integrator::leapfrog);
   c.article = article;
@@ -21,7 +22,7 @@ FreePatch after(int steps, bool article, bool half_step_early = false, Real mu =
   FreePatch patch({c});
   if (half_step_early) {
     FreePatch start({c});
-    start.run(0, 1);  // a step of no length leaves the accelerations at the start
+    start.run(0, 1);  // a step of length 0 leaves the initial accelerations
     for (int i = 0; i < patch.fluid.n; ++i) patch.fluid.v[i] += -dt / 2 * start.fluid.a[i];
   }
   patch.run(dt, steps);
@@ -54,20 +55,20 @@ const FreePatch& truth() {
   return patch;
 }
 
-// Measured: 1.01, the error falling from 7.9 mm to 0.48 mm over 4 halvings of the step.
+// Measured order: 1.01; the error falls from 7.9 mm to 0.48 mm over 4 halvings of the step.
 TEST(ArticleIntegrator, OneKickAndOneDriftAreOfFirstOrder) {
   const double slope = order([](int n) { return after(n, true); }, truth());
   EXPECT_NEAR(1, slope, 0.1);
 }
 
-// Measured: 2.05, from 0.68 mm to 0.0023 mm.
+// Measured order: 2.05; the error falls from 0.68 mm to 0.0023 mm over 4 halvings of the step.
 TEST(ArticleIntegrator, KickDriftKickIsOfSecondOrder) {
   const double slope = order([](int n) { return after(n, false); }, truth());
   EXPECT_NEAR(2, slope, 0.1);
 }
 
-// The same loop is leapfrog once the velocities live half a step before the positions. Without
-// viscosity, which would need the velocity at the time of the positions. Measured: 2.01.
+// With initial velocities half a step earlier than the positions, the article's loop is leapfrog.
+// Viscosity is 0, since it needs velocities at the time of the positions. Measured order: 2.01.
 TEST(ArticleIntegrator, OneKickAndOneDriftAreLeapfrogFromAHalfStepStart) {
   const FreePatch inviscid = after(16 * finest, false, false, 0);
   const double slope = order([](int n) { return after(n, true, true, 0); }, inviscid);

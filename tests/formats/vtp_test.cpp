@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// VTP files as VTK 9.1 wrote them (tests/formats/vtk), and as nobody should.
+/// VTP files that VTK 9.1 wrote (tests/formats/vtk), and damaged ones.
 #include <gtest/gtest.h>
 #include <zlib.h>
 
@@ -37,15 +37,14 @@ TEST_P(VtkFile, GivesPointsAndVelocities) {
   EXPECT_EQ(v, cloud.v);
 }
 
-// A file is whole, or refused: never half a cloud, never a crash.
-TEST_P(VtkFile, IsRefusedWhereItIsCutOff) {
+TEST_P(VtkFile, IsRejectedIfTruncated) {
   const std::string text = read_text(source_dir / "tests/formats/vtk" / GetParam());
   const std::size_t needed = text.find("<Verts>");
   for (std::size_t n = 0; n < needed; n += 7)
     EXPECT_THROW(read(text.substr(0, n)), Error) << n << " bytes";
 }
 
-TEST_P(VtkFile, NeverBreaksTheReader) {
+TEST_P(VtkFile, WithAChangedByteGivesPointsOrAnError) {
   const std::string whole = read_text(source_dir / "tests/formats/vtk" / GetParam());
   for (std::size_t at = 0; at < whole.size(); at += 3)
     for (const char byte : {'\0', '9', '<', '"', '\xFF'}) {
@@ -64,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(Files, VtkFile,
                                          "appended_base64_zlib.vtp", "appended_base64_plain_64.vtp",
                                          "appended_raw_zlib_64.vtp", "appended_raw_plain.vtp"));
 
-TEST(Vtp, OfOtherKindsIsRefusedWithARemedy) {
+TEST(Vtp, OfAnotherKindIsRejectedWithARemedy) {
   EXPECT_EQ(
       "a.vtp: error: it is compressed by LZ4 or LZMA; save it with ZLib, or without "
       "compression",
@@ -87,14 +86,14 @@ TEST(Vtp, OfOtherKindsIsRefusedWithARemedy) {
             refused("<VTKFile type=\"PolyData\"/>"));
 }
 
-/// A file of one piece. `attributes` are those of the root.
+/// A file of one piece; the root element has `attributes`.
 std::string file_of(const std::string& piece, const std::string& points = "1",
                     const std::string& attributes = "") {
   return "<VTKFile type=\"PolyData\" " + attributes + "><PolyData><Piece NumberOfPoints=\"" +
          points + "\">" + piece + "</Piece></PolyData></VTKFile>";
 }
 
-/// Points whose array has these attributes and this text.
+/// A Points element; its array has these attributes and this text.
 std::string points_of(const std::string& attributes, const std::string& text) {
   return "<Points><DataArray NumberOfComponents=\"3\" " + attributes + ">" + text +
          "</DataArray></Points>";
@@ -103,7 +102,7 @@ std::string points_of(const std::string& attributes, const std::string& text) {
 const std::string ascii = "type=\"Float32\" format=\"ascii\"",
                   binary = "type=\"Float32\" format=\"binary\"";
 
-TEST(Vtp, TakesPiecesTogetherAndPassesOverEmptyOnes) {
+TEST(Vtp, JoinsPiecesAndSkipsEmptyOnes) {
   const std::string one = "<Piece NumberOfPoints=\"1\">" + points_of(ascii, "1 2\n3") + "</Piece>";
   const PointCloud cloud =
       read("<?xml version=\"1.0\"?><VTKFile type=\"PolyData\"><PolyData>" + one +
@@ -112,13 +111,13 @@ TEST(Vtp, TakesPiecesTogetherAndPassesOverEmptyOnes) {
   EXPECT_TRUE(cloud.v.empty());
 }
 
-TEST(Vtp, In2DHasPointsAtZeroHeight) {
+TEST(Vtp, In2DMustHaveAHeightOfZero) {
   EXPECT_EQ((std::vector<double>{1, 2}), read(file_of(points_of(ascii, "1 2 0")), 2).x);
   EXPECT_EQ("a.vtp: error: z is 3, and the scene is in 2D; make it 0, or give domain.max a z",
             refused(file_of(points_of(ascii, "1 2 3")), 2));
 }
 
-TEST(Vtp, TellsWhatAPieceLacks) {
+TEST(Vtp, ReportsInvalidPieces) {
   EXPECT_EQ("a.vtp: error: a piece has no points; save the file again", refused(file_of("")));
   EXPECT_EQ("a.vtp: error: a piece has no NumberOfPoints; save the file again",
             refused(file_of("", "many")));
@@ -139,7 +138,7 @@ TEST(Vtp, TellsWhatAPieceLacks) {
                     one + "</Piece></PolyData></VTKFile>"));
 }
 
-TEST(Vtp, TellsWhatIsWrongWithAnArray) {
+TEST(Vtp, ReportsInvalidArrays) {
   const auto said = [](const std::string& attributes, const std::string& text,
                        const std::string& points = "1", const std::string& root = "") {
     const std::string what = refused(file_of(points_of(attributes, text), points, root));
@@ -196,7 +195,7 @@ std::string deflated(const std::string& bytes) {
   return packed;
 }
 
-TEST(Vtp, InflatesBlocksAndNoMoreThanItMust) {
+TEST(Vtp, InflatesBlocksAndRejectsWrongSizes) {
   const float numbers[] = {1, 2, 3, 4, 5, 6};
   const std::string bytes(reinterpret_cast<const char*>(numbers), sizeof numbers);
   const std::string a = deflated(bytes.substr(0, 16)), b = deflated(bytes.substr(16));
@@ -217,7 +216,7 @@ TEST(Vtp, InflatesBlocksAndNoMoreThanItMust) {
             refused(text(base64(sizes({1, 16, 0, std::uint32_t(a.size())})))));
   EXPECT_EQ(array + "it ends too early; the file is cut off",
             refused(text(sizes_of(4000000000, 16, 8))));
-  EXPECT_EQ(array + "it ends too early; the file is cut off",  // not four billion bytes
+  EXPECT_EQ(array + "it ends too early; the file is cut off",  // allocates no four billion bytes
             refused(text(sizes_of(2, 4000000000, 8))));
 }
 

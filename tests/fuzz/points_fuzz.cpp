@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Any bytes are points of a scene, a frame, or an Error. The first byte is the format: p, c or v
-/// for PLY, CSV or VTP in 3D, capitals in 2D; the file follows.
+/// Any bytes give the points of a scene, a frame, or an Error. The first byte is the format: p, c
+/// or v for PLY, CSV or VTP in 3D, a capital in 2D. The file follows.
 #include <cctype>
 #include <cstdio>
 #include <cstdlib>
@@ -20,23 +20,23 @@ void require(bool good, const char* what) {
 }
 
 void check_error(const freshet::Error& e) {
-  require(e.kind() == freshet::Error::Kind::scene, "not an error of a file");
-  require(e.diagnostics().size() == 1, "not one error");
-  require(e.diagnostics()[0].place.starts_with("fuzz."), "a message without a place");
-  require(e.diagnostics()[0].message.size() < 300, "a message of more than a few lines");
+  require(e.kind() == freshet::Error::Kind::scene, "the error is not of kind scene");
+  require(e.diagnostics().size() == 1, "there must be one diagnostic");
+  require(e.diagnostics()[0].place.starts_with("fuzz."), "the diagnostic does not name the file");
+  require(e.diagnostics()[0].message.size() < 300, "the message has 300 characters or more");
 }
 
 void read_cloud(std::string_view bytes, const char* file, int dimension) {
   try {
     const auto cloud = freshet::points_in(bytes, file, dimension);
-    require(!cloud.x.empty() && cloud.x.size() % std::size_t(dimension) == 0, "half a point");
-    require(cloud.v.empty() || cloud.v.size() == cloud.x.size(), "half the velocities");
+    require(!cloud.x.empty() && cloud.x.size() % std::size_t(dimension) == 0, "incomplete points");
+    require(cloud.v.empty() || cloud.v.size() == cloud.x.size(), "incomplete velocities");
   } catch (const freshet::Error& e) {
     check_error(e);
   }
 }
 
-/// A frame that is read is written and read again alike.
+/// Writes the frame that it read, and requires that reading it again gives the same frame.
 void read_frame(std::string_view bytes, const char* file) {
   freshet::Frame frame;
   try {
@@ -48,7 +48,7 @@ void read_frame(std::string_view bytes, const char* file) {
   require(again.id == frame.id && again.x == frame.x && again.v == frame.v &&
               again.density == frame.density && again.pressure == frame.pressure &&
               again.step == frame.step && again.time == frame.time,
-          "a frame that reads otherwise");
+          "the frame changes when it is written and read again");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Any bytes are either a scene or an Error; a scene that was changed by overrides is written as
-/// TOML that reads as a scene again.
+/// Any bytes give a scene or an Error. A scene with overrides is written as TOML that reads as a
+/// scene again.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -13,10 +13,10 @@ namespace {
 
 using freshet::Override;
 
-constexpr std::string_view separator = "\n#--set ";  // a comment to a scene of the corpus
+constexpr std::string_view separator = "\n#--set ";  // a comment in TOML
 constexpr double few_places = 20000;
 
-/// The overrides that stand at the end of the input: lines of "#--set KEY=VALUE".
+/// Removes the overrides from the end of the input and returns them: lines of "#--set KEY=VALUE".
 std::vector<Override> take_overrides(std::string& text) {
   std::vector<Override> all;
   while (all.size() < 4) {
@@ -38,19 +38,19 @@ void require(bool good, const char* what, const std::string& text) {
 }
 
 void check_error(const freshet::Error& e, bool overridden) {
-  require(e.kind() == freshet::Error::Kind::scene, "not an error of the scene", e.what());
-  require(!e.diagnostics().empty(), "an error without a word", "");
+  require(e.kind() == freshet::Error::Kind::scene, "the error is not of kind scene", e.what());
+  require(!e.diagnostics().empty(), "the error has no diagnostic", "");
   for (const auto& d : e.diagnostics()) {
-    require(d.message.size() < 2000, "a message of more than a screen", d.message);
+    require(d.message.size() < 2000, "the message has 2000 characters or more", d.message);
     const bool in_points =
         d.place.find(".csv") != std::string::npos || d.place.find(".ply") != std::string::npos;
     require(
         d.place.starts_with("fuzz") || in_points || (overridden && d.place.starts_with("--set ")),
-        "a message without a place", d.text());
+        "the diagnostic does not name a file or a key", d.text());
   }
 }
 
-/// At least as many places as fluids and walls are sampled at.
+/// An upper bound of the number of places that fluids and walls are sampled at.
 double places_of(const freshet::Scene& scene) {
   double domain = 1, all = 0;
   for (std::size_t k = 0; k < scene.domain.max.size(); ++k)
@@ -79,7 +79,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto again = freshet::parse_scene(scene.source, "fuzz");
     require(again.title == scene.title && again.steps() == scene.steps() &&
                 again.particles.spacing == scene.particles.spacing,
-            "the scene as run reads otherwise", scene.source);
+            "the scene changes when its source is read again", scene.source);
     if (places_of(scene) < few_places) freshet::scene_warnings(scene);
   } catch (const freshet::Error& e) {
     require(false, e.what(), scene.source);

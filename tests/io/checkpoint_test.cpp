@@ -50,7 +50,7 @@ std::string refusal(const std::string& bytes) {
   return message_of([&] { decode_checkpoint(bytes, "step.h5"); });
 }
 
-TEST(CheckpointFile, GivesBackWhatItWasGiven) {
+TEST(CheckpointFile, DecodesToItsContents) {
   const RunCheckpoint a = checkpoint(), b = decode_checkpoint(encode_checkpoint(a), "step.h5");
   EXPECT_EQ(a.scene, b.scene);
   EXPECT_EQ(3, b.steps);
@@ -69,10 +69,10 @@ TEST(CheckpointFile, GivesBackWhatItWasGiven) {
     EXPECT_EQ(array.count, same->count) << array.name;
   }
   EXPECT_TRUE(encode_checkpoint(a) == encode_checkpoint(checkpoint()))
-      << "equal states are equal bytes";
+      << "equal states must give equal bytes";
 }
 
-TEST(CheckpointFile, RemembersTheIterations) {
+TEST(CheckpointFile, KeepsSolveStatistics) {
   RunCheckpoint a = checkpoint();
   a.time_steps.retried = 5;
   a.retries_help = false;
@@ -97,7 +97,7 @@ TEST(CheckpointFile, RemembersTheIterations) {
   }
 }
 
-TEST(CheckpointFile, TakesErrorsThatAreNoNumbersForTheGreatest) {
+TEST(CheckpointFile, StoresNanAndInfinityAsTheLargestNumber) {
   constexpr double most = std::numeric_limits<double>::max();
   RunCheckpoint a = checkpoint();
   a.solves.resize(1);
@@ -109,7 +109,7 @@ TEST(CheckpointFile, TakesErrorsThatAreNoNumbersForTheGreatest) {
   EXPECT_EQ(most, b.solves[0].worst_error);
 }
 
-TEST(CheckpointFile, IsNotReadTorn) {
+TEST(CheckpointFile, IsRejectedWithBytesMissingOrAdded) {
   const std::string bytes = encode_checkpoint(checkpoint());
   for (const std::size_t size : {std::size_t(0), std::size_t(10), std::size_t(511),
                                  std::size_t(512), bytes.size() / 2, bytes.size() - 1}) {
@@ -119,7 +119,7 @@ TEST(CheckpointFile, IsNotReadTorn) {
   EXPECT_NE(std::string::npos, refusal(bytes + "x").find("is damaged"));
 }
 
-TEST(CheckpointFile, IsNotReadWithAnyBitFlipped) {
+TEST(CheckpointFile, IsRejectedWithAFlippedBit) {
   const std::string bytes = encode_checkpoint(checkpoint());
   const auto flipped = [&](std::size_t at, int bit) {
     std::string other = bytes;
@@ -136,7 +136,7 @@ TEST(CheckpointFile, IsNotReadWithAnyBitFlipped) {
         << at;
 }
 
-TEST(CheckpointFile, OfAnotherFormatNamesTheVersion) {
+TEST(CheckpointFile, OfAnotherFormatIsRejectedWithItsVersion) {
   std::string bytes = encode_checkpoint(checkpoint());
   bytes[bytes.find("format 4") + 7] = '1';
   bytes[bytes.find("version 0.1.0") + 8] = '9';
@@ -146,13 +146,12 @@ TEST(CheckpointFile, OfAnotherFormatNamesTheVersion) {
       refusal(bytes));
 }
 
-TEST(CheckpointFile, OfSomethingElseIsRefused) {
+TEST(CheckpointFile, WithoutAHeaderIsRejected) {
   EXPECT_EQ("step.h5: error: this is no checkpoint of Freshet, or its first bytes are damaged",
             refusal(std::string(2000, 'x')));
 }
 
-// Into another scene: the simulation stays as it was.
-TEST(Restore, RefusesAnotherScene) {
+TEST(Restore, RejectsAnotherSceneAndKeepsTheState) {
   const RunCheckpoint c = checkpoint();
   const auto with = [&](const std::vector<Override>& changes) {
     Simulation sim(parse_scene(scene, "test.toml", changes));

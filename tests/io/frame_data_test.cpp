@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Data files byte by byte, as their formats' own papers and manuals have them.
+/// Data files byte by byte, after the specifications of their formats.
 #include "io/frame_data.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ template <class T> T number_at(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-/// A VTP file taken apart: its elements, and the bytes after the underscore.
+/// A parsed VTP file: its elements, and the appended bytes after the underscore.
 struct Vtp {
   explicit Vtp(const std::string& bytes) {
     const auto tag = bytes.find("<AppendedData encoding=\"raw\">");
@@ -44,7 +44,7 @@ struct Vtp {
   std::string appended;
 };
 
-TEST(EncodeVtp, HasPointsAndArraysAndAVertexAParticle) {
+TEST(EncodeVtp, HasPointsArraysAndOneVertexPerParticle) {
   const Frame f = sample_frame(3, 5);
   const Vtp vtp(encode_vtp(f));
   EXPECT_STREQ("PolyData", vtp.root().attribute("type").value());
@@ -68,7 +68,7 @@ TEST(EncodeVtp, HasPointsAndArraysAndAVertexAParticle) {
   EXPECT_STREQ("1234", fields.find_child_by_attribute("Name", "Step").child_value());
 }
 
-TEST(EncodeVtp, HasThreeNumbersAPointIn2D) {
+TEST(EncodeVtp, HasThreeComponentsPerPointIn2D) {
   const Frame f = sample_frame(2, 2);
   const Vtp vtp(encode_vtp(f));
   EXPECT_EQ((std::vector<float>{f.x[0], f.x[1], 0, f.x[2], f.x[3], 0}),
@@ -77,7 +77,7 @@ TEST(EncodeVtp, HasThreeNumbersAPointIn2D) {
             vtp.numbers<float>(vtp.array("PointData", "velocity")));
 }
 
-TEST(EncodeVtp, LeavesOutWhatIsNotAskedFor) {
+TEST(EncodeVtp, HasTheSelectedFieldsOnly) {
   Scene::Output output;
   output.fields = {DataField::pressure};
   const Vtp vtp(encode_vtp(sample_frame(3, 2), DataFields(output)));
@@ -86,7 +86,7 @@ TEST(EncodeVtp, LeavesOutWhatIsNotAskedFor) {
     EXPECT_FALSE(vtp.array("PointData", name)) << name;
 }
 
-TEST(EncodePly, HasAHeaderAndARowAParticle) {
+TEST(EncodePly, HasAHeaderAndOneRowPerParticle) {
   const Frame f = sample_frame(3, 2, 40);
   const std::string bytes = encode_ply(f);
   const std::string head =
@@ -108,14 +108,14 @@ TEST(EncodePly, HasAHeaderAndARowAParticle) {
   }
 }
 
-TEST(EncodePly, HasIdsAsDoublesWhereTheyAreLarge) {
+TEST(EncodePly, StoresLargeIdsAsDoubles) {
   const std::string bytes = encode_ply(sample_frame(2, 2, 4294967295));
   EXPECT_NE(std::string::npos, bytes.find("property double id\n"));
   EXPECT_EQ(4294967297.0, number_at<double>(bytes, bytes.size() - 8));
   EXPECT_EQ(0.0f, number_at<float>(bytes, bytes.size() - 40 + 8));  // z
 }
 
-TEST(EncodeCsv, HasALineOfNamesAndARowAParticle) {
+TEST(EncodeCsv, HasALineOfNamesAndOneRowPerParticle) {
   Frame f = sample_frame(2, 2, 5);
   f.x = {0.1f, 2, 3, 1e-7f};
   f.v = {1, -1, 0, 0.5f};
@@ -131,7 +131,7 @@ TEST(EncodeCsv, HasALineOfNamesAndARowAParticle) {
   EXPECT_EQ("step,time,x,y,z,pressure\n", encode_csv(sample_frame(3, 0), few));
 }
 
-TEST(EncodePvd, NamesTheFilesBesideIt) {
+TEST(EncodePvd, NamesFilesRelativeToItsFolder) {
   const std::vector<double> times{0, 0.25};
   const std::vector<std::string> files{"data/frame_0000.vtp", "data/frame_0001.vtp"};
   pugi::xml_document pvd;

@@ -23,7 +23,7 @@ std::string refused(const std::string& bytes, const std::string& file) {
   }
 }
 
-TEST(ReadFrame, GivesBackWhatWasWritten) {
+TEST(ReadFrame, ReadsWhatWasWritten) {
   for (const DataFormat format : formats)
     for (const int dimension : {2, 3})
       for (const std::uint64_t first : {std::uint64_t(0), std::uint64_t(1) << 40}) {
@@ -33,7 +33,7 @@ TEST(ReadFrame, GivesBackWhatWasWritten) {
       }
 }
 
-TEST(ReadFrame, FillsWhatIsMissing) {
+TEST(ReadFrame, FillsMissingFieldsWithDefaults) {
   DataFields few;
   few.velocity = few.density = few.pressure = few.id = false;
   for (const DataFormat format : formats) {
@@ -55,18 +55,18 @@ TEST(ReadFrame, ReadsAFrameWithoutParticles) {
   }
 }
 
-TEST(ReadFrame, NeverTakesATornFileForAWholeOne) {
+TEST(ReadFrame, RejectsTruncatedFiles) {
   for (const DataFormat format : formats) {
     const std::string whole = encode_frame(format, sample_frame(2, 40), {});
     for (std::size_t n = 1; n + 1 < whole.size(); n += 13) {
-      if (format == DataFormat::csv && whole[n - 1] == '\n') continue;  // a whole file of less
+      if (format == DataFormat::csv && whole[n - 1] == '\n') continue;  // fewer rows, but valid
       EXPECT_THROW(frame_in(whole.substr(0, n), data_file(format, 0)), Error)
           << data_file(format, 0) << " cut to " << n << " of " << whole.size();
     }
   }
 }
 
-TEST(ReadFrame, TellsWhatIsWrong) {
+TEST(ReadFrame, ReportsPlaceAndRemedy) {
   EXPECT_EQ("a.txt: error: not *.h5, *.vtp, *.ply or *.csv; name a data file of a run",
             refused("x,y\n1,2\n", "a.txt"));
   EXPECT_EQ("a.csv:1: error: there is no x or no y; is it the right file?", refused("", "a.csv"));
@@ -91,7 +91,7 @@ TEST(ReadFrame, TellsWhatIsWrong) {
             refused("", "a.h5"));
 }
 
-TEST(ReadFrame, NeedsAFileThatIsThere) {
+TEST(ReadFrame, RejectsAMissingFileAndAFolder) {
   const TemporaryFolder folder;
   EXPECT_THROW(read_frame(folder / "frame_0000.vtp"), Error);
   EXPECT_THROW(read_frame(folder.path()), Error);
@@ -99,7 +99,7 @@ TEST(ReadFrame, NeedsAFileThatIsThere) {
   expect_same(sample_frame(2, 3), read_frame(folder / "a.ply"));
 }
 
-TEST(FrameFiles, AreOfTheBestFormatInOrder) {
+TEST(FrameFiles, AreOfThePreferredFormatInOrder) {
   const TemporaryFolder folder;
   EXPECT_TRUE(frame_files(folder.path()).empty());
   const auto put = [&](const std::string& name) { write_text(folder / ("data/" + name), "x"); };

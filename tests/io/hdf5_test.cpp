@@ -15,7 +15,7 @@
 namespace freshet::test {
 namespace {
 
-/// Of a file on the disk, by the library alone.
+/// A dataset of a file, read by the HDF5 library alone.
 struct Stored {
   Stored(const fs::path& path, const char* name)
       : file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose),
@@ -56,7 +56,7 @@ TEST(EncodeHdf5, HasTypedTables) {
   EXPECT_EQ(3, file.integer("/", "dimension"));
 }
 
-TEST(EncodeHdf5, RoundsToTheNearestOf16Bits) {
+TEST(EncodeHdf5, RoundsToTheNearest16BitNumber) {
   const TemporaryFolder folder;
   Frame f = sample_frame(2, 6);
   f.density = {1000.24f, 1000.25f, 1.0f / 3, 65504, 1023.9f, -1000.25f};
@@ -65,7 +65,7 @@ TEST(EncodeHdf5, RoundsToTheNearestOf16Bits) {
   write_text(folder / "a.h5", encode_hdf5(f, half));
   const Stored density(folder / "a.h5", "density");
   EXPECT_EQ(2u, H5Tget_size(density.type.get()));
-  // 10 bits behind the first: steps of 0.5 at 1000; the library rounds halves away from 0
+  // 10 bits after the leading one: steps of 0.5 at 1000; the library rounds halves away from 0
   const auto read = density.floats(6);
   EXPECT_EQ(1000.0f, read[0]);
   EXPECT_EQ(1000.5f, read[1]);
@@ -80,7 +80,7 @@ TEST(EncodeHdf5, RoundsToTheNearestOf16Bits) {
   for (std::size_t k = 0; k < f.v.size(); ++k) EXPECT_NEAR(f.v[k], back.v[k], 5e-4f);
 }
 
-TEST(EncodeHdf5, Keeps4BytesOfAFieldBeyond16Bits) {
+TEST(EncodeHdf5, Keeps4BytesForAFieldBeyondTheRangeOf16Bits) {
   const TemporaryFolder folder;
   Frame f = sample_frame(2, 2);
   f.pressure = {65505, 1};
@@ -91,7 +91,7 @@ TEST(EncodeHdf5, Keeps4BytesOfAFieldBeyond16Bits) {
   EXPECT_EQ(f.pressure, read_frame(folder / "a.h5").pressure);
 }
 
-TEST(Hdf5, GivesBackEveryKindOfNumber) {
+TEST(Hdf5, ReadsEveryNumberTypeThatItWrites) {
   Hdf5Writer out;
   const std::vector<double> doubles{0.1, -1e300};
   const std::vector<std::int32_t> ints{-5, 7, 9};
@@ -102,7 +102,7 @@ TEST(Hdf5, GivesBackEveryKindOfNumber) {
   out.write("longs", longs);
   out.write("ids", ids);
   out.attribute("/", "scene", std::string("title = \"Flüsse\"\n"));
-  const Hdf5Reader in(out.bytes(), "a.h5");  // while the other is open: one thread may
+  const Hdf5Reader in(out.bytes(), "a.h5");  // one thread may hold a reader and a writer at once
   std::vector<double> d;
   std::vector<std::int32_t> i;
   std::vector<std::int64_t> l;
@@ -120,7 +120,7 @@ TEST(Hdf5, GivesBackEveryKindOfNumber) {
   EXPECT_EQ("title = \"Flüsse\"\n", in.text("/", "scene"));
 }
 
-TEST(Hdf5, TellsWhatAFileLacks) {
+TEST(Hdf5, ReportsMissingListsAndAttributes) {
   Hdf5Writer out;
   out.write("three", std::span<const float>(std::vector<float>{1, 2, 3}));
   out.attribute("/", "name", std::string("value"));
@@ -143,7 +143,7 @@ TEST(Hdf5, TellsWhatAFileLacks) {
   EXPECT_NE("no error", said([&] { in.number("/", "name"); }));
 }
 
-TEST(Hdf5, RefusesFramesWhoseFieldsDisagree) {
+TEST(Hdf5, RejectsFramesWithInconsistentFields) {
   const auto refused = [](auto fill) -> std::string {
     Hdf5Writer out;
     fill(out);
@@ -173,7 +173,7 @@ TEST(Hdf5, RefusesFramesWhoseFieldsDisagree) {
             }));
 }
 
-TEST(Hdf5, ServesThreadsOneAtATime) {
+TEST(Hdf5, CanBeUsedByFourThreadsAtOnce) {
   const Frame f = sample_frame(3, 500);
   std::vector<std::string> files(4);
   std::vector<std::thread> threads;

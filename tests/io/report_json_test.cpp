@@ -9,7 +9,7 @@
 namespace freshet {
 namespace {
 
-TEST(ReportJson, HoldsWhatTheStatisticsAre) {
+TEST(ReportJson, HoldsStatisticsAndTimings) {
   Report report;
   report.statistics.density_error_mean = 0.25;
   report.statistics.density_error_max = 0.5;
@@ -30,7 +30,7 @@ TEST(ReportJson, HoldsWhatTheStatisticsAre) {
   EXPECT_EQ(1000, json.at("verbs").at(0).at("ns_per_particle"));
 }
 
-TEST(ReportJson, TellsOfEachSolve) {
+TEST(ReportJson, HoldsEachSolve) {
   Report report;
   report.time_steps.retried = 3;
   report.solves = {{"divergence", 0.001, 20, 30, 4, 0, 2, 0.0005, 0.0009},
@@ -49,13 +49,13 @@ TEST(ReportJson, TellsOfEachSolve) {
   EXPECT_EQ(density, solves[1]);
 }
 
-TEST(ReportJson, HasNoSolvesWhereNothingIterates) {
+TEST(ReportJson, HasNoSolvesWithoutIterations) {
   const auto json = nlohmann::json::parse(to_json(Report{}));
   EXPECT_EQ(nlohmann::json::array(), json.at("solves"));
   EXPECT_EQ(0, json.at("time_steps").at("retried"));
 }
 
-TEST(ReportJson, HasNullForAnErrorThatIsNoNumber) {
+TEST(ReportJson, HasNullForANanError) {
   Report report;
   report.solves.resize(1);
   report.solves[0].last_error = std::numeric_limits<double>::quiet_NaN();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// A frame for tests of data files, and what must come back of it.
+/// A frame for tests of data files, and a comparison of frames.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -9,12 +9,12 @@
 
 namespace freshet::test {
 
-/// Numbers that no two fields share.
+/// The fields have different values.
 inline Frame sample_frame(int dimension, std::size_t n, std::uint64_t first_id = 0) {
   Frame f;
   f.dimension = dimension;
   f.step = 1234;
-  f.time = 0.1;  // no float
+  f.time = 0.1;  // not representable as a float
   for (std::size_t i = 0; i < n; ++i) {
     for (int k = 0; k < dimension; ++k) {
       const float a = float(3 * i + std::size_t(k));

@@ -38,7 +38,7 @@ template <int D, class R = Real> Pair<D, R> along_x(double r) {
   x.x = R(r);
   return Pair<D, R>(x);
 }
-/// A point at distance r in no special direction.
+/// A point at distance r in an oblique direction.
 template <int D> Vec<D, double> aside(double r) {
   if constexpr (D == 3) return {r * 2 / 7, r * -3 / 7, r * 6 / 7};
   else return {r * 3 / 5, r * -4 / 5};
@@ -69,18 +69,18 @@ TYPED_TEST(GradientKernels, IntegrateToOneForEverySupport) {
   expect_integral_one<TypeParam::D, typename TypeParam::Kernel>();
 }
 
-TYPED_TEST(DensityKernels, EndAtTheSupport) {
+TYPED_TEST(DensityKernels, VanishFromTheSupportOn) {
   constexpr int D = TypeParam::D;
   for (const double h : {0.013, 0.2, 3.0}) {
     const typename TypeParam::Kernel W{Real(h)};
     EXPECT_GT(W(along_x<D>(0.9 * h)), 0);
     EXPECT_EQ(0, W(along_x<D>(h)));
     EXPECT_EQ(0, W(along_x<D>(1.001 * h)));
-    EXPECT_EQ(0, W(along_x<D>(1e9)));  // where the far particle is that pads lists
+    EXPECT_EQ(0, W(along_x<D>(1e9)));  // distance of the far particle that pads neighbour lists
   }
 }
 
-TYPED_TEST(GradientKernels, AreTheSlope) {
+TYPED_TEST(GradientKernels, EqualTheSlopeOfTheKernel) {
   constexpr int D = TypeParam::D;
   const double h = 0.2, step = 2e-5 * h;
   const typename TypeParam::Kernel W{Real(h)};
@@ -97,7 +97,7 @@ TYPED_TEST(GradientKernels, AreTheSlope) {
   }
 }
 
-TYPED_TEST(GradientKernels, HaveNoneAtTheCentreAndBeyondTheSupport) {
+TYPED_TEST(GradientKernels, VanishAtTheCentreAndFromTheSupportOn) {
   constexpr int D = TypeParam::D;
   for (const double h : {0.013, 0.2, 3.0}) {
     const typename TypeParam::Kernel W{Real(h)};
@@ -109,7 +109,7 @@ TYPED_TEST(GradientKernels, HaveNoneAtTheCentreAndBeyondTheSupport) {
   }
 }
 
-TYPED_TEST(GradientKernels, AreOppositeForTheOtherOfAPair) {
+TYPED_TEST(GradientKernels, AreAntisymmetric) {
   constexpr int D = TypeParam::D;
   const typename TypeParam::Kernel W{Real(0.2f)};
   for (double r = 1e-5; r < 0.22; r += 0.0037) {
@@ -119,8 +119,8 @@ TYPED_TEST(GradientKernels, AreOppositeForTheOtherOfAPair) {
   }
 }
 
-// By Green's formula the integral of r^2 lap W is 2 D times that of W, which must be 1.
-TYPED_TEST(LaplacianKernels, AreThatOfAKernel) {
+// By Green's formula, the integral of r² lap W is 2 D times the integral of W, which must be 1.
+TYPED_TEST(LaplacianKernels, BelongToAKernelOfIntegralOne) {
   constexpr int D = TypeParam::D;
   for (const double h : {0.01, 0.2, 3.0}) {
     const typename TypeParam::Kernel W{Real(h)};
@@ -135,11 +135,11 @@ TYPED_TEST(DensityKernels, LatticeSumsTendToOne) {
   constexpr int D = TypeParam::D;
   for (const double ratio : {4.0, 8.0, 16.0}) {
     const double sum = lattice_sum<D>(typename TypeParam::Kernel(Real(ratio)), 1.0, ratio);
-    EXPECT_NEAR(1, sum, 0.5 / (ratio * ratio)) << ratio;  // the error is at most of second order
+    EXPECT_NEAR(1, sum, 0.5 / (ratio * ratio)) << ratio;  // the error is of second order or higher
   }
 }
 
-// Summed over a block's particles as a solver does, and not over lattice_sum's own offsets.
+// Sums over the particles of a block as a solver does, not over the offsets of lattice_sum.
 TYPED_TEST(DensityKernels, GiveARestingLatticeItsRestDensity) {
   constexpr int D = TypeParam::D;
   const double rho0 = 1000, spacing = 0.05;
@@ -174,8 +174,7 @@ TYPED_TEST(DensityKernels, GiveARestingLatticeItsRestDensity) {
   }
 }
 
-/// The sum over the lattice of -x . grad W / D, what a discrete gradient makes of a linear field's
-/// slope 1.
+/// The sum of -x . grad W / D over the lattice: the discrete gradient of a linear field of slope 1.
 template <int D, class Kernel> double gradient_sum(const Kernel& W, double ratio) {
   const auto slope = [&](const Pair<D, Real>& ij) { return -dot(ij.x, W.gradient(ij)) / D; };
   return lattice_sum<D>(slope, 1.0, ratio);
@@ -191,9 +190,9 @@ void expect_gradient_sums(double ratio, double in_2d, double in_3d) {
   EXPECT_NEAR(in_3d, gradient_sum<3>(Kernel<3>(Real(ratio)), ratio), 1e-3);
 }
 
-// What docs say of the kernels: at a support of two spacings the cubic spline is the choice, the
-// smoother ones want three.
-TEST(LatticeErrors, AreThoseOnRecord) {
+// docs/solvers.md recommends supports from these values: two spacings for the cubic spline, three
+// for smoother kernels.
+TEST(LatticeErrors, HaveTheRecordedValues) {
   expect_sums<Poly6>(2, 1.015, 1.010);
   expect_sums<CubicSpline>(2, 1.001, 1.000);
   expect_sums<WendlandC2>(2, 1.038, 1.034);

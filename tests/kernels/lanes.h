@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Every kernel with a gradient over a row of points, one at a time or a pack at a time. Nothing of
-/// the standard library: this is compiled for every instruction set and linked into one program.
+/// Evaluates every kernel with a gradient at a row of points, one at a time or one pack at a time.
+/// Uses no inline functions of the standard library, since code for several instruction sets is
+/// linked into one program.
 #pragma once
 #include "backend/cpu/pack.h"
 #include "kernels/cubic_spline.h"
@@ -38,7 +39,7 @@ void evaluate_each(const Real* const (&x)[3], int n, Real* out) {
   (evaluate<R, Kernels, 3>(x, n, out), ...);
 }
 
-/// values_a_point rows of n values; n is a multiple of 16.
+/// Writes values_a_point rows of n values; n is a multiple of 16.
 template <class R> void evaluate_all(const Real* const (&x)[3], int n, Real* out) {
   evaluate_each<R, Spiky, CubicSpline, WendlandC2, WendlandC4, WendlandC6>(x, n, out);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kernels on packs have the scalar's very bits in every lane, on every instruction set that
-// this machine has.
+// Kernels on packs have the scalar kernel's bits in every lane, with every instruction set of this
+// machine.
 #include "kernels/lanes.h"
 
 #include <gtest/gtest.h>
@@ -32,13 +32,13 @@ struct Points {
     std::mt19937 generator(11);
     std::uniform_real_distribution<double> at(-1.1, 1.1);
     for (int k = 0; k < n; ++k) add(at(generator), at(generator), at(generator));
-    // The centre, a hair beside it, the kinks at half the support and at the support, what is just
-    // inside and outside, and the far particle that pads lists.
+    // The centre, points close to it, the kinks at half the support and at the support, points just
+    // inside and outside, and the far particle that pads neighbour lists.
     int k = 0;
     for (const double r : {0.0, 1e-30, 1e-7, 0.5, 1 - 1e-7, 1.0, 1 + 2e-7, 1e9, -1e9}) {
       x[k] = Real(r);
       y[k] = z[k] = 0;
-      k += 7;  // in any lane
+      k += 7;  // a step of 7 reaches every lane
     }
   }
   void add(double a, double b, double c) {

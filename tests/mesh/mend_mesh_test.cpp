@@ -9,7 +9,7 @@
 namespace freshet::test {
 namespace {
 
-/// What it encloses.
+/// The enclosed volume; positive if the triangles face outwards.
 double volume(const TriangleMesh& mesh) {
   double sum = 0;
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
@@ -21,7 +21,7 @@ double volume(const TriangleMesh& mesh) {
 
 const Point low{1, 2, 3}, high{2, 4, 6};
 
-TEST(MendMesh, LeavesAWholeOneAlone) {
+TEST(MendMesh, KeepsAClosedMesh) {
   TriangleMesh mesh = box_mesh(low, high);
   const auto before = mesh.triangles;
   const MeshCondition c = mend_mesh(mesh);
@@ -31,12 +31,12 @@ TEST(MendMesh, LeavesAWholeOneAlone) {
   EXPECT_NEAR(6, volume(mesh), 1e-12);
 }
 
-TEST(MendMesh, MakesOnePointOfThoseThatLieTogether) {
+TEST(MendMesh, MergesCoincidentPoints) {
   TriangleMesh soup;
   const TriangleMesh box = box_mesh(low, high);
   for (std::size_t k = 0; k < box.triangles.size(); ++k) {
     for (Point p : box.corners(int(k))) {
-      p.x += 1e-8 * double(k);  // nearer than it tells apart
+      p.x += 1e-8 * double(k);  // closer than the distance at which points are merged
       soup.points.push_back(p);
     }
     const int n = int(soup.points.size());
@@ -49,7 +49,7 @@ TEST(MendMesh, MakesOnePointOfThoseThatLieTogether) {
   EXPECT_NEAR(6, volume(soup), 1e-6);
 }
 
-TEST(MendMesh, TurnsTrianglesThatFaceTheOtherWay) {
+TEST(MendMesh, FlipsTrianglesThatFaceTheOtherWay) {
   TriangleMesh mesh = ball_mesh(1, 2);
   const double whole = volume(mesh);
   std::int64_t turned = 0;
@@ -60,14 +60,14 @@ TEST(MendMesh, TurnsTrianglesThatFaceTheOtherWay) {
   EXPECT_DOUBLE_EQ(whole, volume(mesh));
 }
 
-TEST(MendMesh, TurnsAShellThatIsInsideOut) {
+TEST(MendMesh, FlipsAShellThatIsInsideOut) {
   TriangleMesh mesh = box_mesh(low, high);
   for (auto& t : mesh.triangles) std::swap(t[0], t[1]);
   EXPECT_EQ(12, mend_mesh(mesh).turned);
   EXPECT_NEAR(6, volume(mesh), 1e-12);
 }
 
-TEST(MendMesh, LeavesTheHollowOfAnotherShell) {
+TEST(MendMesh, KeepsACavityInsideAShell) {
   TriangleMesh mesh = box_mesh(low, high), hollow = box_mesh({1.2, 2.2, 3.2}, {1.8, 3.8, 5.8});
   for (auto t : hollow.triangles) mesh.triangles.push_back({t[1] + 8, t[0] + 8, t[2] + 8});
   mesh.points.insert(mesh.points.end(), hollow.points.begin(), hollow.points.end());
@@ -77,7 +77,7 @@ TEST(MendMesh, LeavesTheHollowOfAnotherShell) {
   EXPECT_TRUE(distance.is_inside({1.1, 3, 4.5}));
 }
 
-TEST(MendMesh, LeavesOutWhatIsNoTriangleOrThereTwice) {
+TEST(MendMesh, RemovesDegenerateAndDuplicateTriangles) {
   TriangleMesh mesh = box_mesh(low, high);
   mesh.triangles.push_back({0, 0, 1});
   mesh.triangles.push_back({1, 0, 2});
@@ -88,9 +88,9 @@ TEST(MendMesh, LeavesOutWhatIsNoTriangleOrThereTwice) {
   EXPECT_TRUE(c.closed());
 }
 
-TEST(MendMesh, TellsOfHolesAndOfEdgesWithTooManyTriangles) {
+TEST(MendMesh, CountsOpenAndCrowdedEdges) {
   TriangleMesh mesh = box_mesh(low, high);
-  mesh.triangles.pop_back();  // of x = 2
+  mesh.triangles.pop_back();  // a triangle of the face x = 2
   const MeshCondition c = mend_mesh(mesh);
   EXPECT_EQ(3, c.open);
   EXPECT_EQ(2, c.open_at.x);
@@ -126,7 +126,7 @@ TEST_F(MeshFile, ReadsStlObjAndPly) {
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
       "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
       "0 0 0\n1 0 0\n1 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n";
-  EXPECT_EQ(3u, read("a.obj", obj).triangles.size()) << "a face of four corners is two";
+  EXPECT_EQ(3u, read("a.obj", obj).triangles.size()) << "a quadrilateral is two triangles";
   EXPECT_EQ(2u, read("a.ply", ply).triangles.size());
   TriangleMesh box = read("A.STL", stl_of(box_mesh(low, high)));
   EXPECT_EQ(12u, box.triangles.size());
@@ -134,7 +134,7 @@ TEST_F(MeshFile, ReadsStlObjAndPly) {
   EXPECT_NEAR(6, volume(box), 1e-6);
 }
 
-TEST_F(MeshFile, SaysWhatIsWrong) {
+TEST_F(MeshFile, RejectsFilesThatAreNoMeshes) {
   const auto has = [](const std::string& text, const char* part) {
     return text.find(part) != std::string::npos;
   };

@@ -22,7 +22,7 @@ class Anywhere {
   std::mt19937 generator_{7};
 };
 
-/// To a box about the origin.
+/// Signed distance to a box about the origin.
 double distance_to_box(Point x, Point half) {
   double beyond2 = 0, deepest = -1e9;
   for (int k = 0; k < 3; ++k) {
@@ -33,7 +33,7 @@ double distance_to_box(Point x, Point half) {
   return deepest > 0 ? std::sqrt(beyond2) : deepest;
 }
 
-TEST(MeshDistance, IsThatOfABox) {
+TEST(MeshDistance, OfABoxIsExact) {
   const Point half{1, 0.5, 0.2};
   const MeshDistance mesh(box_mesh(-1 * half, half));
   Anywhere anywhere;
@@ -44,7 +44,7 @@ TEST(MeshDistance, IsThatOfABox) {
   EXPECT_NEAR(2 * (2 * 1 + 1 * 0.4 + 0.4 * 2), mesh.area(), 1e-12);
 }
 
-TEST(MeshDistance, OfManyTrianglesIsThatOfEach) {
+TEST(MeshDistance, OfABallMatchesSolidAnglesAndRadius) {
   TriangleMesh ball = ball_mesh(1, 4);
   const MeshDistance mesh(ball);
   Anywhere anywhere;
@@ -58,7 +58,7 @@ TEST(MeshDistance, OfManyTrianglesIsThatOfEach) {
   }
 }
 
-TEST(MeshDistance, KnowsItsInsideInSpiteOfSmallHoles) {
+TEST(MeshDistance, FindsTheInsideDespiteASmallHole) {
   TriangleMesh ball = ball_mesh(1, 3);
   ball.triangles.erase(ball.triangles.begin() + 100, ball.triangles.begin() + 104);
   const MeshDistance mesh(ball);
@@ -69,7 +69,7 @@ TEST(MeshDistance, KnowsItsInsideInSpiteOfSmallHoles) {
   }
 }
 
-TEST(MeshDistance, FindsTheFirstTriangleThatARayMeets) {
+TEST(MeshDistance, FindsTheFirstHitOfARay) {
   const MeshDistance mesh(box_mesh({0, 0, 0}, {1, 1, 1}));
   EXPECT_NEAR(2, mesh.first_hit({-2, 0.3, 0.4}, {1, 0, 0}, 0).value(), 1e-12);
   EXPECT_NEAR(1, mesh.first_hit({0, 0.3, 0.4}, {1, 0, 0}, 1e-6).value(), 1e-12);

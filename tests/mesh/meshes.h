@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Meshes made by hand.
+/// Small meshes for tests.
 #pragma once
 #include <cmath>
 #include <map>
@@ -22,7 +22,7 @@ inline TriangleMesh box_mesh(Point low, Point high) {
   return mesh;
 }
 
-/// An octahedron whose faces are cut into four `cuts` times, on a sphere about the origin.
+/// A sphere about the origin: an octahedron whose faces are divided into four `cuts` times.
 inline TriangleMesh ball_mesh(double radius, int cuts) {
   TriangleMesh mesh{
       {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},

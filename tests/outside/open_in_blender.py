@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""blender --background --python tests/outside/open_in_blender.py -- DIR: Blender imports a PLY file."""
+"""blender --background --python tests/outside/open_in_blender.py -- DIR: Blender imports PLY files."""
 import csv
 import os
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""pvpython tests/outside/open_in_paraview.py DIR: ParaView opens what tests/outside/drop.toml wrote."""
+"""pvpython tests/outside/open_in_paraview.py DIR: ParaView opens the files that drop.toml wrote."""
 import csv
 import os
 import sys

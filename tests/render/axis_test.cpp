@@ -17,7 +17,7 @@ void expect_range(double min, double max, const std::vector<double>& numbers) {
   EXPECT_DOUBLE_EQ(max, r.max);
 }
 
-TEST(Range, HoldsAllFiniteNumbersAndANearZero) {
+TEST(Range, IncludesAllFiniteNumbersAndANearbyZero) {
   expect_range(-2, 3, {3, -2, 1});
   expect_range(0, 3, {1, 3});
   expect_range(-3, 0, {-1, -3});
@@ -33,7 +33,7 @@ TEST(Range, IsNeverEmpty) {
   expect_range(-11, -9, {-10, -10});
 }
 
-TEST(Range, HasAMarginButNotBeyondZero) {
+TEST(Range, MarginDoesNotCrossZero) {
   EXPECT_EQ(0, with_margin({0, 10}).min);
   EXPECT_DOUBLE_EQ(10.5, with_margin({0, 10}).max);
   EXPECT_DOUBLE_EQ(-2.25, with_margin({-2, 3}).min);
@@ -50,7 +50,7 @@ TEST(Ticks, AreRoundNumbersInTheRange) {
   EXPECT_NEAR(0.15, ticks.values[1], 1e-15);
 }
 
-TEST(Ticks, AreInThousandsOrThousandthsWhereNumbersAreLargeOrSmall) {
+TEST(Ticks, HaveAFactorIfNumbersAreLargeOrSmall) {
   const auto expect = [](const Range& range, const char* factor, const Labels& labels) {
     const Ticks ticks = ticks_of(range, 5);
     EXPECT_EQ(factor, ticks.factor);
@@ -63,20 +63,20 @@ TEST(Ticks, AreInThousandsOrThousandthsWhereNumbersAreLargeOrSmall) {
   expect({0, 0.02}, "", {"0.000", "0.005", "0.010", "0.015", "0.020"});
 }
 
-TEST(Label, TellsItsFactor) {
+TEST(Label, ContainsItsFactor) {
   EXPECT_EQ("force [N]", with_factor("force [N]", ""));
   EXPECT_EQ("force on wall[1] [10³ N]", with_factor("force on wall[1] [N]", "10³"));
   EXPECT_EQ("count [10³]", with_factor("count", "10³"));
 }
 
-TEST(PlacesSeen, AreAllOfAFewPoints) {
+TEST(PlacesSeen, KeepAllOfAFewPoints) {
   EXPECT_EQ((std::vector<std::size_t>{0, 1, 2}), places_seen({0, 10, 20}, {5, NAN, 6}));
   EXPECT_TRUE(places_seen({}, {}).empty());
 }
 
-// A million points over 100 points of width: few stay, and the one peak, the one dip, the gap and
-// the ends do.
-TEST(PlacesSeen, KeepWhatSticksOut) {
+// A million points are thinned to fewer than 1000. A peak, a dip, a gap (NaN) and both ends must
+// stay.
+TEST(PlacesSeen, KeepPeaksGapsAndEnds) {
   std::vector<double> x, y;
   for (int k = 0; k < 1000000; ++k) {
     x.push_back(k * 1e-4);

@@ -13,7 +13,7 @@
 namespace freshet::test {
 namespace {
 
-/// Seen from the front; speeds tell the balls apart.
+/// A camera in front of the balls. A slow ball is blue, a fast one red.
 const std::string front =
     "camera = { position = [0, 1, 10], target = [0, 1, 0] }\npicture.color_map = \"article\"\n"
     "picture.color_range = [0, 1]\n";
@@ -21,27 +21,27 @@ const std::string front =
 bool is_blue(Color c) { return c.b > c.r && c.b > c.g; }
 bool is_red(Color c) { return c.r > c.g && c.r > c.b; }
 
-TEST(Balls, HideWhatIsBehindThem) {
+TEST(Balls, HideBallsBehindThem) {
   const Scene scene = deep_scene(front);
   Frame frame = balls_at({0, 1, -0.5f, 0, 1, 0.5f});
-  frame.v[3] = 1;  // the one in front is red
+  frame.v[3] = 1;  // the ball in front is red
   EXPECT_TRUE(is_red(draw(scene, frame).at(100, 100)));
   frame.v = {1, 0, 0, 0, 0, 0};
   EXPECT_TRUE(is_blue(draw(scene, frame).at(100, 100)));
-  std::swap(frame.x[2], frame.x[5]);  // the first one drawn is in front
+  std::swap(frame.x[2], frame.x[5]);  // the ball that is drawn first is in front
   EXPECT_TRUE(is_red(draw(scene, frame).at(100, 100)));
 }
 
-TEST(Balls, HideEachOtherSampleBySample) {
+TEST(Balls, OverlapPixelByPixel) {
   const Scene scene = deep_scene(front, {{"particles.spacing", "0.4"}});
-  Frame frame = balls_at({-0.05f, 1, 0, 0.05f, 1, 0});  // halfway in each other
+  Frame frame = balls_at({-0.05f, 1, 0, 0.05f, 1, 0});  // the balls overlap
   frame.v[3] = 1;
   Image image = draw(scene, frame);
   EXPECT_TRUE(is_blue(image.at(97, 100)));
   EXPECT_TRUE(is_red(image.at(103, 100)));
 }
 
-TEST(Balls, AreALittleWiderThanTheSpacingInPerspective) {
+TEST(Balls, Are115PercentOfTheSpacingWide) {
   const auto width_of = [](const std::string& place, float z) {
     const Scene scene = deep_scene("camera = { position = [0, 1, " + place +
                                        "], target = [0, 1, 0], field_of_view = 90 }\n"
@@ -57,7 +57,7 @@ TEST(Balls, AreALittleWiderThanTheSpacingInPerspective) {
   EXPECT_NEAR(100 * 0.575 / 8, width_of("8", 0), 1.5);
 }
 
-TEST(Balls, BehindTheEyeOrNowhereAreNotSeen) {
+TEST(Balls, BehindTheCameraOrInvalidAreNotDrawn) {
   const Scene scene = deep_scene(front);
   const auto pixels = draw(scene, balls_at({})).pixels;
   const float nan = std::numeric_limits<float>::quiet_NaN(),
@@ -66,14 +66,14 @@ TEST(Balls, BehindTheEyeOrNowhereAreNotSeen) {
   EXPECT_EQ(pixels, draw(scene, balls_at({nan, 1, 0})).pixels);
   EXPECT_EQ(pixels, draw(scene, balls_at({0, inf, 0})).pixels);
   EXPECT_EQ(pixels, draw(scene, balls_at({0, -3e30f, 0})).pixels);
-  EXPECT_EQ(pixels, draw(scene, balls_at({0, 1, 10})).pixels);  // in the eye
+  EXPECT_EQ(pixels, draw(scene, balls_at({0, 1, 10})).pixels);  // at the camera
 }
 
-TEST(Balls, ThrowASoftShadowOnTheFloor) {
+TEST(Balls, CastAShadowOnTheFloor) {
   const Scene scene = deep_scene("camera = { position = [0, 9, 0.1], target = [0, 0, 0] }",
                                  {{"particles.spacing", "0.5"}});
   Image with = draw(scene, balls_at({0.1f, 1.2f, 0.1f})), without = draw(scene, balls_at({}));
-  // the light comes from the left, the front and above
+  // light comes from the left, the front and above
   const View view(pose_at(scene, 0), 200, 200);
   const auto at = [&](double x, double z) {
     const auto seen = view({x, 0, z});
@@ -84,7 +84,7 @@ TEST(Balls, ThrowASoftShadowOnTheFloor) {
   EXPECT_EQ(0, at(-0.6, 0.6));
 }
 
-TEST(Balls, StandAmongTheWalls) {
+TEST(Balls, AreHiddenByWallsInFrontOfThem) {
   const std::string pillar =
       "wall = { shape = \"cylinder\", center = [0, 1, 0.6], radius = 0.2, length = 2 }\n";
   const Scene scene = deep_scene(front + pillar);
@@ -95,10 +95,10 @@ TEST(Balls, StandAmongTheWalls) {
   EXPECT_GT(brightness_of(wall.at(100, 100)), 250);
   const Scene tank = deep_scene(
       front + "wall = { shape = \"sphere\", side = \"inside\", center = [0, 1, 0], radius = 1 }\n");
-  EXPECT_TRUE(is_blue(draw(tank, behind).at(100, 100)));  // one sees into a tank
+  EXPECT_TRUE(is_blue(draw(tank, behind).at(100, 100)));  // the near side of a tank is not drawn
 }
 
-TEST(Balls, ShowWallsThatArePoints) {
+TEST(Balls, DrawWallsOfPoints) {
   const TemporaryFolder folder;
   write_text(folder / "ball.csv", "x,y,z\n0,1,0.5\n");
   const Scene scene = deep_scene(front +
@@ -110,7 +110,7 @@ TEST(Balls, ShowWallsThatArePoints) {
   EXPECT_EQ(image.at(150, 100), nothing.at(150, 100));
 }
 
-TEST(Balls, AreTheSamePictureOnAnyNumberOfThreads) {
+TEST(Balls, HaveTheSamePixelsOnAnyNumberOfThreads) {
   const Scene scene = deep_scene("camera.orbit = 10", {{"picture.height", "130"}});
   std::vector<float> x;
   for (int k = 0; k < 3000; ++k) x.push_back(float(k * 7919 % 1000) / 500 - (k % 3 == 1 ? 0 : 1));

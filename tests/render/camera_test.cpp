@@ -16,7 +16,7 @@ void expect_near(Point a, Point b) {
   EXPECT_NEAR(a.z, b.z, 1e-9);
 }
 
-/// How far the corners of the domain reach, of half the picture.
+/// The maximum distance of the domain's corners from the picture's centre, in half pictures.
 double reach(const Scene& s, double time) {
   const View view(pose_at(s, time), 200, 200);
   double most = 0;
@@ -27,14 +27,14 @@ double reach(const Scene& s, double time) {
   return most;
 }
 
-TEST(Camera, SeesAllOfTheDomainIfNothingIsSaid) {
+TEST(Camera, SeesTheWholeDomainByDefault) {
   EXPECT_NEAR(0.88, reach(deep_scene(""), 0), 1e-9);
   EXPECT_NEAR(0.88, reach(deep_scene("camera.field_of_view = 90"), 0), 1e-9);
   const Scene round = deep_scene("camera.orbit = 90");
   for (double time = 0; time < 4; time += 0.1) EXPECT_LT(reach(round, time), 0.89) << time;
 }
 
-TEST(Camera, LooksFromItsPlaceAtItsTarget) {
+TEST(Camera, LooksFromItsPositionAtItsTarget) {
   const Scene s = deep_scene(
       "camera = { position = [0, 1, 10], target = [0, 1, 0], "
       "field_of_view = 90 }");
@@ -43,7 +43,7 @@ TEST(Camera, LooksFromItsPlaceAtItsTarget) {
   EXPECT_NEAR(100, middle.x, 1e-9);
   EXPECT_NEAR(100, middle.y, 1e-9);
   EXPECT_NEAR(10, middle.z, 1e-9);
-  EXPECT_NEAR(200, right.x, 1e-9);  // 45 degrees to the right: the edge
+  EXPECT_NEAR(200, right.x, 1e-9);  // 45 degrees to the right is the edge
   EXPECT_NEAR(80, above.y, 1e-9);
   expect_near({5, 1, 5}, view.eye + right.z * view.ray(right.x, right.y));
 }
@@ -71,14 +71,14 @@ TEST(Camera, MovesSmoothlyThroughItsKeyFrames) {
   const Point before = velocity(2 - 1e-5), after = velocity(2 + 1e-5);
   EXPECT_NEAR(before.x, after.x, 1e-3);
   EXPECT_NEAR(before.y, after.y, 1e-3);
-  EXPECT_NEAR(2, after.y, 1e-3);  // 6 m in the 3 s between its neighbours
+  EXPECT_NEAR(2, after.y, 1e-3);  // 6 m in the 3 s between the key frames before and after
 }
 
-TEST(Camera, MayLookStraightDown) {
+TEST(Camera, CanLookStraightDown) {
   const Scene s = deep_scene("camera = { position = [0, 9, 0], target = [0, 0, 0] }");
   const View view(pose_at(s, 0), 200, 200);
   EXPECT_GT(view({1, 0, 0}).x, 100);
-  EXPECT_GT(view({0, 0, 1}).y, 100);  // what is in front is below
+  EXPECT_GT(view({0, 0, 1}).y, 100);  // the picture's lower half is in front
 }
 
 }  // namespace

@@ -27,12 +27,12 @@ Chart two_series() {
   return chart;
 }
 
-/// An SVG file, read back.
+/// The SVG of a chart, parsed.
 struct Svg {
   explicit Svg(const Chart& chart) { EXPECT_TRUE(document.load_string(chart_svg(chart).c_str())); }
   pugi::xml_document document;
 
-  /// What is drawn in a colour: the letters and numbers of each path.
+  /// The paths of a colour: commands and coordinates.
   std::vector<std::string> paths(const std::string& stroke) const {
     std::vector<std::string> all;
     for (const auto& found : document.select_nodes("//*[local-name()='path']")) {
@@ -42,7 +42,7 @@ struct Svg {
     }
     return all;
   }
-  /// How many letters each piece of text has: text is drawn as outlines, a use a letter.
+  /// The number of letters of each text. Text is drawn as outlines, one <use> per letter.
   std::vector<int> text_lengths() const {
     std::vector<int> all;
     for (const auto& found : document.select_nodes("//*[local-name()='g'][*[local-name()='use']]"))
@@ -55,7 +55,7 @@ struct Point {
   double x, y;
 };
 
-/// The vertices of a path of lines, each with its letter.
+/// The vertices of a path of lines, each with its command.
 std::vector<std::pair<char, Point>> vertices(const std::string& path) {
   std::vector<std::pair<char, Point>> all;
   std::istringstream in(path);
@@ -65,9 +65,9 @@ std::vector<std::pair<char, Point>> vertices(const std::string& path) {
   return all;
 }
 
-TEST(Chart, DrawsALineThatNoNumberBreaks) {
+TEST(Chart, NanBreaksALine) {
   const auto paths = Svg(two_series()).paths(blue);
-  ASSERT_EQ(2u, paths.size());  // the line, and its sample in the legend
+  ASSERT_EQ(2u, paths.size());  // the curve and its line in the legend
   const auto line = vertices(paths[0]);
   ASSERT_EQ(4u, line.size());
   std::string letters;
@@ -82,7 +82,7 @@ TEST(Chart, DrawsALineThatNoNumberBreaks) {
   EXPECT_NEAR(bottom + (top - bottom) / 3, line[1].second.y, 1e-2);
 }
 
-TEST(Chart, MarksPoints) {
+TEST(Chart, DrawsPointsAsDots) {
   const auto paths = Svg(two_series()).paths(red);
   ASSERT_EQ(2u, paths.size());
   EXPECT_EQ(3, std::count(paths[0].begin(), paths[0].end(), 'M'));
@@ -90,14 +90,14 @@ TEST(Chart, MarksPoints) {
   EXPECT_EQ(0, std::count(paths[1].begin(), paths[1].end(), 'L'));
 }
 
-TEST(Chart, SaysWhatItShows) {
-  // the title, 9 numbers below and "time [s]", 4 beside and "speed [m/s]", two names; spaces are
-  // letters too
+TEST(Chart, HasTitleAxesAndLegend) {
+  // the title, 9 numbers below and "time [s]", 4 beside and "speed [m/s]", two names; spaces count
+  // as letters
   EXPECT_EQ((std::vector<int>{17, 3, 3, 3, 3, 3, 3, 3, 3, 3, 8, 1, 1, 1, 1, 11, 4, 8}),
             Svg(two_series()).text_lengths());
 }
 
-TEST(Chart, TellsLargeNumbersByTheirFactor) {
+TEST(Chart, LabelsLargeNumbersWithAFactor) {
   Chart chart = two_series();
   for (double& y : chart.panels[0].series[0].y) y *= 1e4;
   const auto lengths = Svg(chart).text_lengths();
@@ -114,7 +114,7 @@ TEST(Chart, SharesOneAxisAmongPanels) {
   };
   const Svg shared(chart);
   EXPECT_EQ(2, numbers(shared));
-  ASSERT_EQ(3u, shared.paths(blue).size());  // the last has no name, so no sample
+  ASSERT_EQ(3u, shared.paths(blue).size());  // the unnamed series is not in the legend
   const auto first = vertices(shared.paths(blue)[0]), second = vertices(shared.paths(blue)[2]);
   EXPECT_NEAR(first[0].second.x + (first[3].second.x - first[0].second.x) / 2, second[0].second.x,
               1e-2);
@@ -128,7 +128,7 @@ TEST(Chart, SharesOneAxisAmongPanels) {
   EXPECT_NEAR(vertices(apart.paths(blue)[0])[3].second.x, own[1].second.x, 1e-2);
 }
 
-TEST(Chart, TellsStylesApart) {
+TEST(Chart, DrawsDashedSeriesAndALegendOfStyles) {
   Chart chart = two_series();
   chart.panels[0].series[1].style = Series::Style::dashed;
   chart.panels[0].series[1].color = 0;
@@ -137,12 +137,12 @@ TEST(Chart, TellsStylesApart) {
   std::size_t dashes = 0;
   for (auto at = svg.find("dasharray"); at != std::string::npos; at = svg.find("dasharray", at + 1))
     ++dashes;
-  EXPECT_EQ(3u, dashes);  // the line, its sample in the legend, and that of run b
+  EXPECT_EQ(3u, dashes);  // the curve, its line in the legend, and the legend's line of run b
   EXPECT_EQ(4u, Svg(chart).paths(blue).size());
   EXPECT_TRUE(Svg(chart).paths(red).empty());
 }
 
-TEST(Chart, CutsLongNamesWithinALetter) {
+TEST(Chart, TruncatesLongNames) {
   Chart chart = two_series();
   std::string name;
   for (int k = 0; k < 100; ++k) name += "ü";
@@ -153,14 +153,14 @@ TEST(Chart, CutsLongNamesWithinALetter) {
   EXPECT_LT(longest, 30);
 }
 
-TEST(Chart, RefusesNamesThatAreNoText) {
+TEST(Chart, RejectsNamesThatAreNotUtf8) {
   Chart chart = two_series();
   chart.panels[0].series[0].name = "\xff\xfe";
   EXPECT_THROW(chart_svg(chart), Error);
   EXPECT_THROW(chart_png(chart), Error);
 }
 
-TEST(Chart, MayBeEmpty) {
+TEST(Chart, CanBeEmpty) {
   Chart chart;
   EXPECT_NO_THROW(chart_svg(chart));
   chart.panels.resize(2);
@@ -170,7 +170,7 @@ TEST(Chart, MayBeEmpty) {
   EXPECT_NO_THROW(chart_png(chart));
 }
 
-TEST(Chart, IsTheSamePictureAsPng) {
+TEST(Chart, SvgAndPngShowTheSameLine) {
   const Chart chart = two_series();
   const Svg svg(chart);
   const auto root = svg.document.document_element();
@@ -186,7 +186,7 @@ TEST(Chart, IsTheSamePictureAsPng) {
   EXPECT_EQ((Color{0, 114, 178}), at({(a.x + b.x) / 2, (a.y + b.y) / 2}));
 }
 
-TEST(Chart, HasTheSameBytesTwice) {
+TEST(Chart, HasTheSameBytesEachTime) {
   EXPECT_TRUE(chart_svg(two_series()) == chart_svg(two_series()));
   EXPECT_TRUE(chart_png(two_series()) == chart_png(two_series()));
 }

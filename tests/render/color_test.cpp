@@ -10,7 +10,7 @@
 namespace freshet::test {
 namespace {
 
-TEST(ColorMaps, GoFromEndToEndAndNoFurther) {
+TEST(ColorMaps, HaveTheirEndColorsAtAndBeyondTheEnds) {
   const Color ends[][2] = {{{0, 0, 255}, {255, 0, 0}},
                            {{20, 76, 160}, {240, 250, 255}},
                            {{68, 1, 84}, {253, 231, 37}},
@@ -27,7 +27,7 @@ TEST(ColorMaps, GoFromEndToEndAndNoFurther) {
   EXPECT_EQ((Color{221, 221, 221}), map_color(ColorMap::coolwarm, 0.5f));
 }
 
-TEST(Coloring, ReadsTheFieldThatWasAskedFor) {
+TEST(Coloring, ReadsTheSelectedField) {
   const std::pair<const char*, float> fields[] = {
       {"speed", 5},      {"velocity_x", 3},         {"velocity_y", -4}, {"density", 990},
       {"pressure", 700}, {"density_error", -0.01f}, {"height", 0.25f},  {"id", 1}};
@@ -42,7 +42,7 @@ TEST(Coloring, ReadsTheFieldThatWasAskedFor) {
   }
 }
 
-TEST(Coloring, RangesAreThoseOfThePictureOrAsGiven) {
+TEST(Coloring, RangeIsOfTheParticlesOrAsSet) {
   Frame frame = two_dots();
   frame.v = {0, 0, 3, -4};
   const auto range = [&](const std::string& tables) {
@@ -53,11 +53,11 @@ TEST(Coloring, RangesAreThoseOfThePictureOrAsGiven) {
   EXPECT_EQ(std::pair(-4.0f, 4.0f), range("picture.color_by = \"velocity_y\""));
   EXPECT_EQ(std::pair(0.0f, 1.0f), range("picture.color_by = \"id\""));
   EXPECT_EQ(std::pair(1.0f, 2.0f), range("picture.color_range = [1, 2]"));
-  frame.v = {0, 0, 0, 0};  // as the article: a tenth of a metre per second stands for red at least
+  frame.v = {0, 0, 0, 0};  // as in the article, the range ends at 0.1 m/s at least
   EXPECT_EQ(std::pair(0.0f, 0.1f), range(""));
 }
 
-TEST(Coloring, OfNothingOrOfNoNumbersIsStillAColor) {
+TEST(Coloring, OfNoParticlesOrNanIsValid) {
   const Scene scene = flat_scene("picture.color_by = \"pressure\"");
   EXPECT_GT(color_particles(scene, Frame{}).high, color_particles(scene, Frame{}).low);
   Frame frame = two_dots();

@@ -35,7 +35,7 @@ class OneDot : public ::testing::Test {
   Scene scene;
 };
 
-TEST_F(OneDot, LiesWhereItsParticleDoesWithYTurnedOver) {
+TEST_F(OneDot, IsAtItsParticleWithYDownwards) {
   Image image = draw(2, 0.3f);
   EXPECT_EQ((Color{8, 10, 255}), image.at(400, 536));  // 8 + 0, 10 + 0, 28 + 255 saturated
   EXPECT_EQ((Color{8, 10, 28}), image.at(400, 530));
@@ -43,13 +43,13 @@ TEST_F(OneDot, LiesWhereItsParticleDoesWithYTurnedOver) {
   EXPECT_EQ((Color{80, 80, 120}), image.at(100, 595));
 }
 
-TEST_F(OneDot, MayLieOutsideOrNowhere) {
+TEST_F(OneDot, OutsideOrNanIsNotDrawn) {
   const Image empty = draw(100, 100);
   EXPECT_EQ(empty.pixels, draw(-3e30f, 1).pixels);
   EXPECT_EQ(empty.pixels, draw(std::numeric_limits<float>::quiet_NaN(), 1).pixels);
 }
 
-TEST(Dots, ShowTheWindowThatWasAskedFor) {
+TEST(Dots, ShowTheSelectedWindow) {
   Image all = draw_dots(flat_scene(""), two_dots());
   Image part = draw_dots(flat_scene("picture.window = [1, 0.25, 2, 0.75]"), two_dots());
   const Color ground{8, 10, 28};
@@ -63,14 +63,14 @@ TEST(Dots, AreDiscsOfTheirColorIfSolid) {
   Image image = draw_dots(flat_scene(white + "picture.dots = \"solid\""), two_dots());
   const Color blue{0, 0, 255}, ground{255, 255, 255};
   EXPECT_EQ(blue, image.at(55, 55));
-  EXPECT_EQ(blue, image.at(58, 55));  // a spacing is 10 px
+  EXPECT_EQ(blue, image.at(58, 55));  // the spacing is 10 px
   EXPECT_EQ(ground, image.at(62, 55));
   image = draw_dots(flat_scene(white + "picture.dots = \"solid\"\npicture.dot_radius = 10"),
                     two_dots());
   EXPECT_EQ(blue, image.at(63, 55));
 }
 
-TEST(Dots, StandAmongTheWalls) {
+TEST(Dots, WallShapesAreDrawn) {
   Image image = draw_dots(
       flat_scene("wall = { shape = \"sphere\", center = [1.5, 0.75], radius = 0.1 }"), Frame{});
   EXPECT_EQ((Color{8, 10, 28}), image.at(155, 50));
@@ -81,7 +81,7 @@ TEST(Dots, StandAmongTheWalls) {
   EXPECT_EQ((Color{8, 10, 28}), image.at(105, 55));
 }
 
-TEST(Png, GivesBackWhatItWasGiven) {
+TEST(Png, DecodesToTheEncodedPixels) {
   Image image(3, 2, {1, 2, 3});
   image.at(2, 1) = {250, 0, 9};
   const Image back = decode_png(encode_png(image));

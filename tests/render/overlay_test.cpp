@@ -10,21 +10,21 @@
 namespace freshet::test {
 namespace {
 
-TEST(Overlay, TellsTheTimeWithAsManyDecimalsAsTheRunNeeds) {
+TEST(Overlay, TimeHasAsManyDecimalsAsTheRunNeeds) {
   EXPECT_EQ("t = 0.75 s", time_words(0.75, 2));
   EXPECT_EQ("t = 12.5 s", time_words(12.5, 40));
   EXPECT_EQ("t = 3 s", time_words(3, 200));
   EXPECT_EQ("t = 0.0025 s", time_words(0.0025, 0.05));
 }
 
-TEST(Overlay, ScaleBarsAreRound) {
+TEST(Overlay, ScaleBarLengthsAreRound) {
   EXPECT_DOUBLE_EQ(0.5, round_length(0.6));
   EXPECT_DOUBLE_EQ(0.2, round_length(0.4999));
   EXPECT_DOUBLE_EQ(1, round_length(1.9));
   EXPECT_DOUBLE_EQ(0.01, round_length(0.01));
 }
 
-/// The pixels that a key changes: left, top, right, bottom.
+/// The bounding box of the pixels in which two images differ.
 struct Changed {
   int left = 1000, top = 1000, right = -1, bottom = -1;
   Changed(Image a, Image b) {
@@ -49,19 +49,19 @@ Changed changed_by(const std::string& key) {
           draw(parse_scene(base + key, "test.toml"), two_dots())};
 }
 
-TEST(Overlay, IsOffUnlessAskedFor) {
+TEST(Overlay, IsOffByDefault) {
   const Scene scene = flat_scene("");
   EXPECT_EQ(draw_dots(scene, two_dots()).pixels, draw(scene, two_dots()).pixels);
 }
 
-TEST(Overlay, TheTimeStandsAboveOnTheLeft) {
+TEST(Overlay, TimeIsAtTheTopLeft) {
   const Changed c = changed_by("picture.time_stamp = true");
   EXPECT_GT(c.right, 40);
   EXPECT_LT(c.right, 150);
   EXPECT_LT(c.bottom, 40);
 }
 
-TEST(Overlay, TheColorsStandOnTheRight) {
+TEST(Overlay, ColorBarIsOnTheRight) {
   const Changed c = changed_by("picture.color_bar = true");
   EXPECT_GT(c.left, 400);
   EXPECT_LT(c.right, 600);
@@ -69,7 +69,7 @@ TEST(Overlay, TheColorsStandOnTheRight) {
   EXPECT_LT(c.bottom, 160);
 }
 
-TEST(Overlay, TheScaleBarIsAsLongAsItSays) {
+TEST(Overlay, ScaleBarIsOneMetreLong) {
   const std::string base =
       "domain.max = [4, 2]\nparticles.spacing = 0.1\npicture.width = 410\npicture.height = 210\n"
       "time = { end = 2, step = 1e-3 }\nfluid = { min = [0, 0], max = [1, 0.5] }\n"
@@ -83,7 +83,7 @@ TEST(Overlay, TheScaleBarIsAsLongAsItSays) {
       longest = std::max(longest, run);
     }
   }
-  EXPECT_NEAR(100, longest, 1);  // 1 m of 4 m over 400 px
+  EXPECT_NEAR(100, longest, 1);  // 1 m; 4 m are 400 px
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace freshet::test {
 
-/// 200 × 100 px and a margin over a domain of 2 m × 1 m, with these tables.
+/// A 2D scene with these tables: 200 × 100 px and a margin for a domain of 2 m × 1 m.
 inline Scene flat_scene(const std::string& tables) {
   return parse_scene(
       "domain.max = [2, 1]\nparticles.spacing = 0.1\npicture.width = 210\npicture.height = 110\n"
@@ -28,7 +28,7 @@ inline Frame two_dots() {
   return f;
 }
 
-/// A cube of 2 m around (0, 1, 0), seen with these tables.
+/// A 3D scene with these tables: a cube of 2 m around (0, 1, 0).
 inline Scene deep_scene(const std::string& tables, const std::vector<Override>& changes = {}) {
   return parse_scene(
       "domain = { min = [-1, 0, -1], max = [1, 2, 1] }\nparticles.spacing = 0.2\n"

@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(Background, DoesItsJobsInOrder) {
+TEST(Background, RunsJobsInOrder) {
   std::vector<int> done;
   Background background(2);
   for (int k = 0; k < 100; ++k) background.add([&done, k] { done.push_back(k); });
@@ -23,7 +23,7 @@ TEST(Background, DoesItsJobsInOrder) {
   for (int k = 0; k < 100; ++k) EXPECT_EQ(k, done[std::size_t(k)]);
 }
 
-TEST(Background, LetsNoMoreWaitThanAsked) {
+TEST(Background, LimitsTheNumberOfWaitingJobs) {
   std::promise<void> go;
   std::shared_future<void> gate = go.get_future().share();
   std::atomic<int> added{0};
@@ -36,14 +36,14 @@ TEST(Background, LetsNoMoreWaitThanAsked) {
   });
   while (added < 3) std::this_thread::sleep_for(1ms);
   EXPECT_EQ(std::future_status::timeout, adding.wait_for(50ms));
-  EXPECT_EQ(3, added);  // one is being done, two wait
+  EXPECT_EQ(3, added);  // one runs, two wait
   go.set_value();
   adding.get();
   background.wait();
   EXPECT_EQ(5, added);
 }
 
-TEST(Background, ThrowsWhatAJobThrew) {
+TEST(Background, RethrowsTheExceptionOfAJob) {
   bool later = false;
   Background background(2);
   background.add([] { throw std::runtime_error("full"); });
@@ -53,7 +53,7 @@ TEST(Background, ThrowsWhatAJobThrew) {
   EXPECT_FALSE(later);
 }
 
-TEST(Background, DropsWhatWaitsWhenItEnds) {
+TEST(Background, DropsWaitingJobsWhenDestroyed) {
   std::promise<void> go;
   std::shared_future<void> gate = go.get_future().share();
   std::atomic<bool> dropped{true};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a program that embeds the library saves and restores by itself.
+// Checkpoints of a program that embeds the library.
 #include <gtest/gtest.h>
 
 #include "cli/files.h"
@@ -13,7 +13,7 @@ const std::string scene =
     "domain.max = [1, 1]\nparticles.spacing = 0.02\nfluid = { min = [0, 0], max = [0.5, 0.5] }\n"
     "solver.name = \"delta_sph\"\ntime = { end = 1, step = 1e-4 }\n";
 
-TEST(CheckpointFiles, GoOnToTheSameBits) {
+TEST(CheckpointFiles, ResumeToTheSameBits) {
   const TemporaryFolder folder;
   Simulation first = simulation_of(scene), second = simulation_of(scene);
   for (int k = 0; k < 5; ++k) first.step();
@@ -26,7 +26,7 @@ TEST(CheckpointFiles, GoOnToTheSameBits) {
   EXPECT_EQ(first.kept_sha256(), second.kept_sha256());
 }
 
-TEST(CheckpointFiles, AreAboutAsLargeAsForetold) {
+TEST(CheckpointFiles, HaveAboutThePredictedSize) {
   const TemporaryFolder folder;
   Simulation sim = simulation_of(scene);
   sim.step();
@@ -35,7 +35,7 @@ TEST(CheckpointFiles, AreAboutAsLargeAsForetold) {
   EXPECT_NEAR(size, double(checkpoint_bytes(sim)), 0.1 * size);
 }
 
-TEST(CheckpointFiles, ThatCannotBeReadLeaveTheSimulationAsItIs) {
+TEST(CheckpointFiles, FailuresLeaveTheSimulationUnchanged) {
   const TemporaryFolder folder;
   Simulation sim = simulation_of(scene);
   sim.step();

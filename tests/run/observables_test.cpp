@@ -11,7 +11,7 @@
 namespace freshet::test {
 namespace {
 
-/// Two particles that fly apart at rest density, and do not feel each other.
+/// Two particles that move apart at rest density and do not interact.
 constexpr const char* two_particles = R"(
 [domain]
 max = [2.0, 1.0]
@@ -47,7 +47,7 @@ TEST(Observables, NameEveryColumnWithItsUnit) {
       observables_header(simulation_of(two_particles).scene()));
 }
 
-TEST(Observables, NameThreeAxesAndWallsThatAreCalledOddly) {
+TEST(Observables, NameThreeAxesAndQuoteWallNames) {
   Scene scene;
   scene.domain.max = {1, 1, 1};
   scene.wall.resize(1);
@@ -58,7 +58,7 @@ TEST(Observables, NameThreeAxesAndWallsThatAreCalledOddly) {
                                            "\"force on rock, \"\"big\"\" and wet x [N]\","));
 }
 
-TEST(Observables, NameTheSolvesOfASolver) {
+TEST(Observables, NameTheSolvesOfEachSolver) {
   Scene scene;
   scene.domain.max = {1, 1};
   const auto solves = [&](SolverName name) {
@@ -78,12 +78,12 @@ TEST(Observables, NameTheSolvesOfASolver) {
       solves(SolverName::dfsph));
 }
 
-TEST(Observables, AreALineOfNumbers) {
+TEST(Observables, HaveTheExpectedNumbers) {
   Simulation sim = simulation_of(two_particles);
   sim.step();
   const std::vector<Vector> forces{{1, 2}, {3, 4}, {0, 0}, {-0.5, 1e-9}};
-  // Mass: 1000 kg/m^2 · 0.01 m^2 = 10 kg. Bound: 0.4 · 0.1 m/(2 m/s + √4.25 m/s). Density: 10 kg ·
-  // Poly6(0) = 4/(π · 0.04 m^2), over the lattice sum, 4/(π · 4) (1 + 4 · 0.75^3 + 4 · 0.5^3).
+  // Mass: 1000 kg/m^2 · 0.01 m^2 = 10 kg. Limit: 0.4 · 0.1 m/(2 m/s + √4.25 m/s). Density: 10 kg ·
+  // Poly6(0) = 4/(π · 0.04 m^2), divided by the lattice sum 4/(π · 4) (1 + 4 · 0.75^3 + 4 · 0.5^3).
   EXPECT_EQ(
       "1,0.001,0.001,fixed,0.0098484502,26.25,0,10,5,"
       "313.725494,313.725494,0,0,1.53077641,2.06155281,1,1,2,3,4,0,0,"
@@ -91,7 +91,7 @@ TEST(Observables, AreALineOfNumbers) {
       observables_line(sim, forces));
 }
 
-TEST(Observables, TellOfTheSolvesOfTheLastStep) {
+TEST(Observables, ContainTheSolvesOfTheLastStep) {
   Simulation sim = simulation_of(
       "[domain]\nmax = [1.0, 1.0]\n[particles]\nspacing = 0.05\n[fluid]\nmin = [0, 0]\n"
       "max = [0.5, 0.5]\n[solver]\nname = \"dfsph\"\n[time]\nend = 0.05\nstep = 0.0005\n");
@@ -121,7 +121,7 @@ TEST(Observables, TellOfTheSolvesOfTheLastStep) {
   EXPECT_EQ(expected, solves_in(observables_line(sim, forces)));
 }
 
-TEST(Observables, TellWhatRuledTheStep) {
+TEST(Observables, NameTheLimitOfTheLastStep) {
   const std::string fixed(two_particles);
   const std::string adaptive =
       fixed.substr(0, fixed.find("end = ")) + "end = 1.0\nstep = \"adaptive\"\nstep_max = ";
@@ -138,7 +138,7 @@ TEST(Observables, TellWhatRuledTheStep) {
   EXPECT_EQ("fixed", sim.time_steps().last_ruled);
 }
 
-TEST(Statistics, CountOnlyDensityThatIsTooHigh) {
+TEST(Statistics, DensityErrorsArePositiveErrorsOnly) {
   Simulation sim = simulation_of(
       "[domain]\nmax = [1.0, 1.0]\n[particles]\nspacing = 0.05\n[fluid]\nmin = [0, 0]\n"
       "max = [0.5, 0.5]\n[solver]\nname = \"wcsph\"\nsound_speed = 30.0\n[time]\nend = 0.05\n"
@@ -153,10 +153,10 @@ TEST(Statistics, CountOnlyDensityThatIsTooHigh) {
   EXPECT_GT(s.density_error_mean, 0);
   EXPECT_NEAR(sum / double(sim.fluid().size()), s.density_error_mean, 1e-15);
   EXPECT_EQ(most, s.density_error_max);
-  EXPECT_LT(s.density_min, 1000);  // some count nothing
+  EXPECT_LT(s.density_min, 1000);  // particles below rest density do not count
 }
 
-TEST(Statistics, NameTheFastestAndOfEqualsTheLeast) {
+TEST(Statistics, NameTheFastestParticleOrTheLowestIdOfEquals) {
   Simulation sim = simulation_of(two_particles);
   EXPECT_EQ(1u, sim.statistics().fastest);
   std::string still = two_particles;

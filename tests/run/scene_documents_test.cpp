@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the table of keys prints is what the repository holds.
+// The documents in the repository are those that the table of keys generates.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -23,17 +23,17 @@ std::string text_of(const std::filesystem::path& file) {
   return text.str();
 }
 
-TEST(SceneDocuments, TheReferenceIsUpToDate) {
+TEST(SceneDocuments, ReferenceIsUpToDate) {
   EXPECT_EQ(text_of(SOURCE_DIR "/docs/scene.md"), scene_reference())
-      << "freshet schema --markdown > docs/scene.md";
+      << "run freshet schema --markdown > docs/scene.md";
 }
 
-TEST(SceneDocuments, TheSchemaIsUpToDate) {
+TEST(SceneDocuments, SchemaIsUpToDate) {
   EXPECT_EQ(text_of(SOURCE_DIR "/docs/scene.schema.json"), scene_schema())
-      << "freshet schema > docs/scene.schema.json";
+      << "run freshet schema > docs/scene.schema.json";
 }
 
-TEST(SceneDocuments, TheSchemaSaysWhatTheParserChecks) {
+TEST(SceneDocuments, SchemaHasRangesRequiredKeysAndNames) {
   const auto schema = nlohmann::json::parse(scene_schema());
   const auto& particles = schema["properties"]["particles"];
   EXPECT_EQ(0, particles["properties"]["spacing"]["exclusiveMinimum"]);
@@ -43,7 +43,7 @@ TEST(SceneDocuments, TheSchemaSaysWhatTheParserChecks) {
             schema["properties"]["solver"]["properties"]["scheme"]["enum"]);
 }
 
-/// Meshes want Assimp, free bodies Bullet, functions of place and time muParser.
+/// Meshes need Assimp, free bodies Bullet, functions of place and time muParser.
 bool this_build_takes(const std::string& scene) {
   const auto has = [&](const char* words) { return scene.find(words) != std::string::npos; };
   return (reads_meshes() || !has("shape = \"mesh\"")) &&
@@ -51,13 +51,13 @@ bool this_build_takes(const std::string& scene) {
          (reads_expressions() || !(has("\nbody_force = [") || has("position = [\"")));
 }
 
-TEST(SceneDocuments, EverySceneThatComesAlongIsGood) {
+TEST(SceneDocuments, BundledScenesAreValid) {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(SOURCE_DIR "/scenes")) {
     if (entry.path().extension() != ".toml") continue;
     if (!this_build_takes(text_of(entry.path()))) continue;
     const Scene scene = load_scene(entry.path());
     EXPECT_FALSE(scene.title.empty()) << entry.path();
-    EXPECT_EQ('#', scene.source[0]) << entry.path() << " begins with a comment on what it shows";
+    EXPECT_EQ('#', scene.source[0]) << entry.path() << " must begin with a comment";
   }
 }
 

@@ -17,7 +17,7 @@ Table read(const std::string& text) {
   return read_table(folder / "table.csv");
 }
 
-/// What is wrong with a file, after its name.
+/// The error message of reading this text, from the file's name on; empty without an error.
 std::string error_of(const std::string& text) {
   try {
     read(text);
@@ -49,13 +49,13 @@ TEST(Table, HasNamesUnitsNumbersAndWords) {
   EXPECT_EQ(nullptr, t.find("speed"));
 }
 
-TEST(Table, LeavesOutALineThatHasNoEnd) {
+TEST(Table, SkipsAnIncompleteLastLine) {
   EXPECT_EQ(1u, read("step,time [s]\n1,0.5\n2,0.2").rows);
   EXPECT_EQ(0u, read("step,time [s]\n1,0").rows);
   EXPECT_EQ(0u, read("step,time [s]\n").rows);
 }
 
-TEST(Table, SaysWhichLineIsWrong) {
+TEST(Table, ErrorsNameTheLine) {
   EXPECT_EQ("table.csv:1: error: no whole line; the first must name the columns", error_of(""));
   EXPECT_EQ("table.csv:1: error: no whole line; the first must name the columns",
             error_of("step,time [s]"));
@@ -69,7 +69,7 @@ TEST(Table, SaysWhichLineIsWrong) {
       error_of("step,time [s]\n1,2\n2,soon\n"));
 }
 
-TEST(Table, MustBeAFile) {
+TEST(Table, RejectsMissingFilesAndFolders) {
   const TemporaryFolder folder;
   EXPECT_THROW(read_table(folder / "nothing.csv"), Error);
   EXPECT_THROW(read_table(folder.path()), Error);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Every scene of tests/scenes/bad is rejected with the messages in the file beside it.
+/// Every scene of tests/scenes/bad is rejected with the messages of its .expected file.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace freshet::test {
 namespace {
 
-constexpr double time_limit = 10;  // [s]: a hang is a failure
+constexpr double time_limit = 10;  // [s]; a hang is a failure
 
 std::vector<std::string> scenes_in(const std::string& folder) {
   std::vector<std::string> names;
@@ -29,7 +29,7 @@ ProcessResult check(const std::string& scene) {
   return freshet({"check", scene}, {.directory = source_dir, .seconds = time_limit});
 }
 
-/// What this build lacks for a scene of that name; null if nothing.
+/// What this build lacks for the scene of this name; null if nothing.
 const char* missing_for(const std::string& name) {
   const auto any = [&](std::initializer_list<const char*> starts) {
     return std::any_of(starts.begin(), starts.end(), [&](auto s) { return name.starts_with(s); });
@@ -43,7 +43,7 @@ const char* missing_for(const std::string& name) {
   return nullptr;
 }
 
-/// Scenes name their files by paths from the root of the sources.
+/// Changes to the source folder: scenes name their files by paths relative to it.
 class InSourceFolder {
  public:
   InSourceFolder() { fs::current_path(source_dir); }
@@ -53,7 +53,7 @@ class InSourceFolder {
   fs::path before_ = fs::current_path();
 };
 
-/// The exit code and the messages of `freshet check`, without the program.
+/// Exit code and messages of `freshet check`, computed by the library.
 std::string checked(const std::string& scene) {
   try {
     std::string text = "0\n";
@@ -82,8 +82,8 @@ TEST(BadScenes, AreRejectedWithTheirMessages) {
   EXPECT_GT(rejected, 200);
 }
 
-// One of each kind: syntax, an unknown key, a wrong type, a range, a file, geometry, a method, a
-// time step, a flow, warnings beside errors.
+// One scene of each kind: syntax, an unknown key, a wrong type, a range, a file, geometry, a
+// method, a time step, a flow, warnings beside errors.
 TEST(BadScenes, AreRejectedByTheProgram) {
   for (const char* name :
        {"syntax_unclosed_string", "syntax_invalid_utf8", "unknown_key_near",
@@ -112,14 +112,15 @@ TEST(GoodScenes, Pass) {
   EXPECT_TRUE(r.out.starts_with("tests/scenes/good/bom.toml: a good scene")) << r.out;
 }
 
-TEST(GoodScenes, KeepTheirBytes) {  // git or an editor may have changed marks and line ends
+// Git or an editor could have changed them.
+TEST(GoodScenes, HaveAByteOrderMarkAndWindowsLineEnds) {
   EXPECT_TRUE(read_text(source_dir / "tests/scenes/good/bom.toml").starts_with("\xEF\xBB\xBF"));
   EXPECT_NE(read_text(source_dir / "tests/scenes/good/windows_line_ends.toml").find("\r\n"),
             std::string::npos);
 }
 
-// Generated here, as a repository is no place for megabytes.
-TEST(BadScenes, OfHostileSizeAreRefusedInTime) {
+// Generated here, since the repository should not hold megabytes.
+TEST(BadScenes, OfHostileSizeAreRejectedInTime) {
   const TemporaryFolder folder;
   std::string deep_key = "a", deep_tables = "[a", fluids, keys = "[output]\n";
   for (int k = 0; k < 2000000; ++k) deep_key += ".a";

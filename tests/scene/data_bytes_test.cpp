@@ -13,14 +13,14 @@
 namespace freshet::test {
 namespace {
 
-/// A dam on its way, of some thousand particles.
+/// A dam break of several thousand particles, after 10 steps.
 Frame dam(const std::string& domain, const std::string& max, double spacing) {
   Simulation sim(scene_with(domain, spacing,
                             "fluid = { min = [0, 0" + std::string(domain == "[1, 1]" ? "" : ", 0") +
                                 "], max = " + max + " }"));
   for (int k = 0; k < 10; ++k) sim.step();
   Frame frame = sim.frame();
-  for (float& p : frame.pressure) p = std::clamp(p, -65504.0f, 65504.0f);  // what 16 bits hold
+  for (float& p : frame.pressure) p = std::clamp(p, -65504.0f, 65504.0f);  // range of 16 bits
   return frame;
 }
 
@@ -38,7 +38,7 @@ void expect_size(const Frame& frame, DataFormat format, const std::vector<DataFi
       << "D, " << fields.size() << " fields: " << size << " bytes";
 }
 
-TEST(DataBytes, AreThoseOfRealFiles) {
+TEST(DataBytes, PredictTheSizeOfFiles) {
   const std::vector<DataField> all{DataField::velocity, DataField::density, DataField::pressure,
                                    DataField::id};
   for (const Frame& frame :

@@ -49,10 +49,10 @@ TEST(MeshSurface, HasLayersAsDenseAsALattice) {
     EXPECT_NEAR(1, double(count) * spacing * spacing / (4 * 3.14159 * r * r), 0.04) << layer;
   }
   const auto plate = layers_behind(MeshDistance(box_mesh({0, 0, 0}, {1, 1, 0.2})), spacing, 3);
-  EXPECT_NEAR(200, double(plate.size()), 20) << "two layers have room, one from either side";
+  EXPECT_NEAR(200, double(plate.size()), 20) << "room for one layer behind each face";
 }
 
-TEST(MeshSurface, OfThinPlatesIsTheirMiddle) {
+TEST(MeshSurface, OfAThinPlateIsSampledInItsMiddle) {
   const MeshDistance plate(box_mesh({0, 0, 0}, {1, 1, 0.04}));
   const auto all = points_behind(plate, 0.1, 0.05);
   EXPECT_GT(all.size(), 100u);

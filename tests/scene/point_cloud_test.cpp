@@ -17,7 +17,7 @@ class PointFile : public ::testing::Test {
     write_text(folder_ / name, text);
     return read_points(folder_ / name, dimension);
   }
-  /// What is said of it, without the folder.
+  /// The error message of reading this text, without the folder.
   std::string refused(const std::string& name, const std::string& text, int dimension = 3) {
     try {
       read(name, text, dimension);
@@ -84,7 +84,7 @@ TEST_F(PointFile, ReadsCsvOfParaView) {
             refused("c.csv", "Points:3,Points:1\n", 2));
 }
 
-// As Blender 3.4 exports a mesh: normals and faces are passed over.
+// A mesh as Blender 3.4 exports it: normals and faces are ignored.
 TEST_F(PointFile, ReadsPlyOfBlender) {
   const PointCloud cloud =
       read("a.ply",
@@ -97,7 +97,7 @@ TEST_F(PointFile, ReadsPlyOfBlender) {
   EXPECT_TRUE(cloud.v.empty());
 }
 
-TEST_F(PointFile, TellsWhatIsWrongAndWhere) {
+TEST_F(PointFile, ReportsPlaceAndRemedy) {
   EXPECT_EQ(
       "a.csv:3: error: value 2 is no number; write numbers like 0.5 or 1e-3, with commas "
       "between them",
@@ -142,7 +142,7 @@ TEST_F(PointFile, TellsWhatIsWrongAndWhere) {
             refused("a.ply", "ply\nformat text 1.0\n"));
 }
 
-TEST_F(PointFile, IsAFile) {
+TEST_F(PointFile, MustExistAndBeAFile) {
   EXPECT_THROW(read_points(folder_ / "none.ply", 3), Error);
   EXPECT_THROW(read_points(folder_.path(), 3), Error);
   EXPECT_THROW(read_points("/dev/null", 3), Error);

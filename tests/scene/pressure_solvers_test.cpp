@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What follows from a scene whose solver solves for the pressure.
+// Derived numbers, defaults and warnings of scenes with a pressure solver.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ Scene scene_of(const std::string& solver, const std::string& more, const std::st
                         "\"\n[fluid]\nmin = [0, 0]\nmax = [0.5, 1]\nrest_density = 800\n" + more);
 }
 
-TEST(PressureSolvers, HaveBoundsWithoutSound) {
+TEST(PressureSolvers, HaveTimeStepLimitsWithoutSound) {
   for (const char* name : names) {
     const Derived d = derive(scene_of(name, "velocity = [3, 4]\nviscosity = 0.5\n"));
     EXPECT_EQ(INFINITY, d.acoustic_step);
@@ -37,7 +37,7 @@ TEST(PressureSolvers, HaveBoundsWithoutSound) {
   EXPECT_EQ(INFINITY, derive(scene_with("[1, 2]", 0.1, moving)).flow_step);
 }
 
-TEST(PressureSolvers, HaveANominalSpeedOfTheFasterOfFallAndStart) {
+TEST(PressureSolvers, HaveANominalSoundSpeedOfTenTimesFallOrStart) {
   const double fall = std::sqrt(2 * 9.81 * 2);  // 6.26 m/s
   const auto speed = [](const std::string& fluid, const std::string& before = "") {
     return derive(scene_of("pbf", fluid, before)).sound_speed;
@@ -48,7 +48,7 @@ TEST(PressureSolvers, HaveANominalSpeedOfTheFasterOfFallAndStart) {
   EXPECT_EQ(0, speed("", "domain.gravity = [0, 0]\n"));
 }
 
-TEST(PressureSolvers, HaveTolerancesOfTheirOwn) {
+TEST(PressureSolvers, HaveDefaultDensityTolerances) {
   for (const char* name : names)
     EXPECT_EQ(std::string(name) == "dfsph" ? 1e-4 : 1e-3,
               derive(scene_of(name, "")).density_tolerance);
@@ -57,17 +57,17 @@ TEST(PressureSolvers, HaveTolerancesOfTheirOwn) {
   EXPECT_EQ(0, derive(scene_of("delta_sph", "")).density_tolerance);
 }
 
-TEST(PressureSolvers, HaveWallsOfAkinci) {
+TEST(PressureSolvers, HaveWallsOfAkinci2012ByDefault) {
   for (const char* name : names)
     EXPECT_EQ(WallMethod::akinci2012, scene_of(name, "").side_method(0));
 }
 
-TEST(PressureSolvers, StartAtRestDensityUnderTheirWeight) {
+TEST(PressureSolvers, StartHydrostaticFluidsAtRestDensity) {
   for (const char* name : names) {
     const Sample flat = sample(scene_of(name, ""));
     const Sample s = sample(scene_of(name, "pressure = \"hydrostatic\"\n"));
     EXPECT_TRUE(flat.pressure.empty());
-    EXPECT_EQ(flat.x, s.x);  // nothing sinks
+    EXPECT_EQ(flat.x, s.x);  // hydrostatic pressure does not move the particles
     ASSERT_EQ(50u, s.pressure.size());
     for (std::size_t i = 0; i < 50; ++i) {
       EXPECT_EQ(Real(800), s.density[i]);
@@ -77,7 +77,7 @@ TEST(PressureSolvers, StartAtRestDensityUnderTheirWeight) {
   EXPECT_TRUE(sample(scene_of("wcsph", "pressure = \"hydrostatic\"\n")).pressure.empty());
 }
 
-TEST(PressureSolvers, WeighOnlyTheFluidThatAsks) {
+TEST(PressureSolvers, ApplyHydrostaticPressurePerFluid) {
   const Sample s = sample(
       scene_with("[1, 1]", 0.1,
                  "solver.name = \"dfsph\"\n[[fluid]]\nmin = [0, 0]\nmax = [0.2, 0.2]\n"
@@ -88,11 +88,11 @@ TEST(PressureSolvers, WeighOnlyTheFluidThatAsks) {
   EXPECT_NEAR(1000 * 9.81 * 0.05, s.pressure[7], 0.01);
 }
 
-TEST(PressureSolvers, AreWarnedOfAStepOverTheFlowsBound) {
+TEST(PressureSolvers, WarnOfAStepOverTheFlowLimit) {
   const auto warnings = [](const std::string& more) {
     return scene_warnings(scene_of("pcisph", more));
   };
-  EXPECT_TRUE(warnings("velocity = [100, 0]\n").empty());  // 4e-4 s are allowed, 1e-4 s taken
+  EXPECT_TRUE(warnings("velocity = [100, 0]\n").empty());  // the limit is 4e-4 s, the step 1e-4 s
   const auto fast = warnings("velocity = [500, 0]\n");
   ASSERT_EQ(1u, fast.size());
   EXPECT_NE(std::string::npos, fast[0].message.find("over its bound, 8e-05 s (flow)"))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the particles of fluids start.
+// Initial positions, velocities and densities of fluids.
 #include <gtest/gtest.h>
 
 #include "cli/files.h"
@@ -13,7 +13,7 @@ constexpr const char* weakly_compressible = "solver.name = \"wcsph\"\nwalls.meth
 
 std::size_t particles_of(const Scene& scene) { return sample(scene).density.size(); }
 
-TEST(SampleFluid, FillsABoxInThreeDimensionsWithZSlowest) {
+TEST(SampleFluid, FillsABoxIn3DWithXFastest) {
   const Sample s = sample(scene_with("[1, 1, 1]", 0.1,
                                      "[fluid]\nmin = [0, 0, 0]\nmax = [0.3, 0.2, 0.4]\n"
                                      "velocity = [1, 2, 3]\n"));
@@ -27,7 +27,7 @@ TEST(SampleFluid, FillsABoxInThreeDimensionsWithZSlowest) {
   EXPECT_EQ(0, s.outside + s.left_out);
 }
 
-TEST(SampleFluid, DrawsTheLastAxisOfTheJitterFirst) {
+TEST(SampleFluid, DrawsTheJitterOfTheLastAxisFirst) {
   const char* fluid = "[fluid]\nshape = \"lattice\"\nfrom = [0.5, 0.5, 0.5]\ncount = [1, 1, 1]\n";
   const Sample in_3d =
       sample(scene_with("[1, 1, 1]", 0.1, std::string("particles.jitter = 0.01\n") + fluid));
@@ -38,7 +38,7 @@ TEST(SampleFluid, DrawsTheLastAxisOfTheJitterFirst) {
   EXPECT_EQ(in_2d.x[0], in_3d.x[1]);
 }
 
-TEST(SampleFluid, FillsABallAndWhatIsAroundIt) {
+TEST(SampleFluid, FillsABallAndItsOutside) {
   const std::string ball = "shape = \"sphere\"\ncenter = [0.5, 0.5, 0.5]\nradius = 0.4\n";
   const std::string rest = weakly_compressible;
   const Scene inside = scene_with("[1, 1, 1]", 0.05, rest + "[fluid]\n" + ball);
@@ -75,7 +75,7 @@ TEST(SampleFluid, FillsTheDomainBelowAPlane) {
   EXPECT_NEAR(80, double(s.density.size()), 5);
 }
 
-TEST(SampleFluid, LeavesOutWhatAWallTakes) {
+TEST(SampleFluid, ExcludesPlacesInAWall) {
   const Scene scene = scene_with("[1, 1]", 0.05,
                                  "[fluid]\nmin = [0, 0]\nmax = [1, 1]\n"
                                  "[wall]\nshape = \"sphere\"\ncenter = [0.5, 0.5]\nradius = 0.2\n");
@@ -89,18 +89,18 @@ TEST(SampleFluid, LeavesOutWhatAWallTakes) {
   EXPECT_EQ(s.left_out, d.left_out);
 }
 
-// A lattice that does not fit starts off the sides, not pressed against them.
-TEST(SampleFluid, LeavesOutWhatIsNearASideThatHoldsIt) {
+// A lattice that does not fit starts away from sampled sides.
+TEST(SampleFluid, ExcludesPlacesNearASampledSide) {
   const std::string held = "solver.name = \"wcsph\"\nwalls.method = \"akinci2012\"\n";
   const std::string box = "[fluid]\nmin = [0, 0]\nmax = [1, 0.6]\n";
   const Sample s = sample(scene_with("[1, 1]", 0.15, held + box));
-  EXPECT_EQ(6u * 4, s.density.size());  // of seven columns
+  EXPECT_EQ(6u * 4, s.density.size());  // one of seven columns is excluded
   EXPECT_EQ(4, s.left_out);
   EXPECT_EQ(7u * 4,
             particles_of(scene_with("[1, 1]", 0.15, held + "walls.x_max = \"open\"\n" + box)));
 }
 
-TEST(SampleFluid, LeavesOutWhatIsNearTheSamplesOfAWall) {
+TEST(SampleFluid, ExcludesPlacesNearAWallOfPoints) {
   const TemporaryFolder folder;
   write_text(folder / "two.csv", "x,y\n0.25,0.26\n0.3,0.3\n");
   write_text(folder / "scene.toml",
@@ -110,14 +110,14 @@ TEST(SampleFluid, LeavesOutWhatIsNearTheSamplesOfAWall) {
   EXPECT_EQ(1, sample(load_scene(folder / "scene.toml")).left_out);
 }
 
-TEST(SampleFluid, TouchesAWallWithHalfASpacing) {
+TEST(SampleFluid, KeepsPlacesHalfASpacingFromAWall) {
   const Scene scene = scene_with("[1, 1]", 0.1,
                                  "[fluid]\nmin = [0, 0.2]\nmax = [1, 0.6]\n"
                                  "[wall]\nshape = \"box\"\nmin = [0, 0]\nmax = [1, 0.2]\n");
   EXPECT_EQ(0, sample(scene).left_out);
 }
 
-/// Masses and densities of a hydrostatic column agree: sum m/rho is the space that it takes.
+/// A hydrostatic column is consistent: the sum of m/rho below a particle is its height.
 void expect_equilibrium(const std::string& solver) {
   const double dx = 0.02;
   const Scene scene = scene_with("[1, 2]", dx,
@@ -143,25 +143,25 @@ void expect_equilibrium(const std::string& solver) {
   EXPECT_LT(top, 1 - dx / 2);
   EXPECT_GT(top, 0.9);
 }
-TEST(SampleFluid, RestsUnderItsOwnWeight) {
+TEST(SampleFluid, HydrostaticColumnIsInEquilibrium) {
   expect_equilibrium("");
   expect_equilibrium("solver = { name = \"wcsph\", sound_speed = 20.0 }\n");
   expect_equilibrium("solver = { name = \"delta_sph\" }\n");
 }
 
-TEST(SampleFluid, SinksAlongGravityWhereverThatPoints) {
+TEST(SampleFluid, HydrostaticColumnIsCompressedAlongGravity) {
   const Sample s =
       sample(scene_with("[1, 1]", 0.1,
                         "domain.gravity = [9.81, 0]\nsolver.stiffness = 50.0\n[fluid]\n"
                         "min = [0.5, 0]\nmax = [1, 0.5]\n"
                         "pressure = \"hydrostatic\"\n"));
   EXPECT_GT(s.x[0], 0.551);
-  EXPECT_NEAR(1 - 0.05 / (1 + 9.81 * 0.475 / 50), s.x[8], 1e-4);  // the lowest
+  EXPECT_NEAR(1 - 0.05 / (1 + 9.81 * 0.475 / 50), s.x[8], 1e-4);  // the lowest particle
   EXPECT_EQ(Real(0.05), s.x[1]);
   EXPECT_GT(s.density[4], s.density[0]);
 }
 
-TEST(SampleFluid, TakesThePointsOfAFile) {
+TEST(SampleFluid, UsesThePointsOfAFile) {
   const TemporaryFolder folder;
   write_text(folder / "drop.csv", "x,y,vx,vy\n0.5,0.5,1,0\n0.6,0.5,0,-1\n");
   write_text(folder / "scene.toml",
@@ -172,7 +172,7 @@ TEST(SampleFluid, TakesThePointsOfAFile) {
   EXPECT_EQ((std::vector<Real>{1, 0, 0, -1}), s.v);
 }
 
-TEST(Resolution, KeepsTheFluidsVolumeInThreeDimensions) {
+TEST(Resolution, ScalesLengthsAndTimeStepIn3D) {
   const Scene coarse = scene_with("[1, 1, 1]", 0.1,
                                   "particles.support_radius = 0.25\n[fluid]\nshape = \"lattice\"\n"
                                   "from = [0.05, 0.05, 0.05]\ncount = [5, 5, 5]\n");
@@ -185,7 +185,7 @@ TEST(Resolution, KeepsTheFluidsVolumeInThreeDimensions) {
   EXPECT_NEAR(0.5e-4, fine.time.step, 1e-12);
 }
 
-TEST(Resolution, ScalesTheLongestOfAdaptiveSteps) {
+TEST(Resolution, ScalesStepMaxOfAdaptiveSteps) {
   const Scene coarse = parse_scene(
       "domain.max = [1, 1]\nparticles.spacing = 0.1\nfluid = { min = [0, 0], max = [1, 0.5] }\n"
       "time = { end = 1, step = \"adaptive\", step_max = 0.01 }\n",
@@ -195,7 +195,7 @@ TEST(Resolution, ScalesTheLongestOfAdaptiveSteps) {
   EXPECT_NEAR(0.005, *fine.time.step_max, 1e-12);
 }
 
-TEST(Derive, HoldsInThreeDimensions) {
+TEST(Derive, HasTheExpectedNumbersIn3D) {
   const Scene scene = scene_with("[2, 1, 1]", 0.1,
                                  "[solver]\nname = \"wcsph\"\nkernel = \"wendland_c2\"\n"
                                  "[fluid]\nmin = [0, 0, 0]\nmax = [1, 0.5, 1]\n");
@@ -209,7 +209,7 @@ TEST(Derive, HoldsInThreeDimensions) {
   EXPECT_EQ(std::int64_t(sample(scene).akinci2012.wall.size()), d.wall_particles);
 }
 
-TEST(Warnings, TellOfALatticeThatDoesNotFitAPeriodicDomain) {
+TEST(Warnings, ReportALatticeThatDoesNotFitAPeriodicDomain) {
   const auto warnings_of = [](const char* domain) {
     return scene_warnings(scene_with(domain, 0.1,
                                      "particles.support_radius = 0.3\ndomain.periodic = \"x\"\n"

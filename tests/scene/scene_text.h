@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Small scenes for tests, made from a few lines.
+/// Small scenes for tests.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -10,14 +10,14 @@
 
 namespace freshet::test {
 
-/// A scene with these tables and what else one needs. `domain` is domain.max.
+/// A scene with these tables and the required keys. `domain` is domain.max.
 inline Scene scene_with(const std::string& domain, double spacing, const std::string& tables) {
   return parse_scene("domain.max = " + domain + "\nparticles.spacing = " + std::to_string(spacing) +
                          "\ntime = { end = 0.01, step = 1e-4 }\n" + tables,
                      "test.toml");
 }
 
-/// Every point's distance to its nearest neighbour, least and greatest.
+/// Minimum and maximum distance of the points to their nearest neighbours.
 inline std::pair<double, double> nearest_distances(const std::vector<Real>& x, std::size_t d) {
   double least = INFINITY, greatest = 0;
   for (std::size_t i = 0; i < x.size(); i += d) {

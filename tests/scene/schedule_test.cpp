@@ -13,7 +13,7 @@ Scene scene_of(double end, double step) {
   return scene;
 }
 
-/// The steps after which frames are written; their number is the one that was planned.
+/// The steps after which frames are written. Expects that their number is the planned one.
 std::vector<std::int64_t> frames_of(const Scene& scene) {
   const Schedule schedule(scene);
   std::vector<std::int64_t> frames;
@@ -27,7 +27,7 @@ std::vector<std::int64_t> frames_of(const Scene& scene) {
 
 using Steps = std::vector<std::int64_t>;
 
-TEST(Schedule, CountsSteps) {
+TEST(Schedule, WritesFramesByTheNumberOfSteps) {
   Scene scene = scene_of(1, 0.1);
   scene.output.frame_every_steps = 4;
   EXPECT_EQ((Steps{0, 4, 8, 9}), frames_of(scene));
@@ -35,11 +35,11 @@ TEST(Schedule, CountsSteps) {
   EXPECT_EQ((Steps{0}), frames_of(scene_of(1, 1)));
 }
 
-TEST(Schedule, TakesTheFirstStepAtOrAfterEachTime) {
+TEST(Schedule, WritesAFrameAfterTheFirstStepThatReachesATime) {
   Scene scene = scene_of(1, 0.1);
   scene.output.frame_every = 0.3;  // 0.3, 0.6 and 0.9 s: the ends of steps 2, 5 and 8
   EXPECT_EQ((Steps{0, 2, 5, 8, 9}), frames_of(scene));
-  scene.output.frame_every = 0.25;  // 0.25 s lies in step 2, 0.5 s ends step 4
+  scene.output.frame_every = 0.25;  // 0.25 s is within step 2, 0.5 s is the end of step 4
   EXPECT_EQ((Steps{0, 2, 4, 7, 9}), frames_of(scene));
   scene.output.frame_every = 0.1;
   EXPECT_EQ(10u, frames_of(scene).size());
@@ -47,7 +47,7 @@ TEST(Schedule, TakesTheFirstStepAtOrAfterEachTime) {
   EXPECT_EQ((Steps{0, 9}), frames_of(scene));
 }
 
-TEST(Schedule, PlansAsManyFramesAsComeForAnySteps) {
+TEST(Schedule, PlansTheNumberOfFramesForAnyStep) {
   for (const double step : {0.001, 0.0013, 0.017, 0.1, 0.3, 1.0})
     for (const double every : {0.3, 0.31, 0.9, 1.0, 2.0}) {
       Scene scene = scene_of(3, step);
@@ -57,7 +57,7 @@ TEST(Schedule, PlansAsManyFramesAsComeForAnySteps) {
     }
 }
 
-/// The same of data files.
+/// The steps after which data files are written. Expects that their number is the planned one.
 Steps data_of(const Scene& scene) {
   const Schedule schedule(scene);
   Steps steps;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The text that a scene keeps of itself can be read again from the folder of its run.
+/// The text that a scene keeps as its source can be read again from the folder of its run.
 #include <gtest/gtest.h>
 
 #include "cli/files.h"

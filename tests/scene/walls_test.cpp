@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where walls are sampled.
+// Positions of boundary and body particles.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -21,14 +21,14 @@ std::string solver(const char* sides) {
   return std::string("solver.name = \"wcsph\"\nwalls.method = \"") + sides + "\"\n";
 }
 
-/// Samples of each wall.
+/// Number of boundary particles per wall.
 std::map<int, int> counts_of(const WallSample& sample) {
   std::map<int, int> counts;
   for (const int wall : sample.wall) ++counts[wall];
   return counts;
 }
 
-TEST(SampleSides, TakeOneLayerAroundTheDomainAndItsCorners) {
+TEST(SampleSides, HaveOneLayerAroundTheDomainAndItsCorners) {
   const Sample s = sample(scene_with("[1, 0.5]", dx, solver("monaghan2009") + fluid_2d));
   EXPECT_TRUE(s.adami2012.wall.empty() && s.akinci2012.wall.empty());
   const WallSample& w = s.monaghan2009;
@@ -44,7 +44,7 @@ TEST(SampleSides, TakeOneLayerAroundTheDomainAndItsCorners) {
   }
 }
 
-TEST(SampleSides, TakeAsManyLayersAsTheSupportReaches) {
+TEST(SampleSides, HaveAsManyLayersAsTheSupportReaches) {
   const Sample two = sample(scene_with("[1, 0.5]", dx, solver("adami2012") + fluid_2d));
   EXPECT_EQ(24u * 14 - 20 * 10, two.adami2012.wall.size());
   const Sample three = sample(scene_with(
@@ -52,7 +52,7 @@ TEST(SampleSides, TakeAsManyLayersAsTheSupportReaches) {
   EXPECT_EQ(26u * 16 * 16 - 20 * 10 * 10, three.adami2012.wall.size());
 }
 
-TEST(SampleSides, FitTheDomainWhereTheSpacingDoesNot) {
+TEST(SampleSides, AdaptTheirSpacingToTheDomain) {
   const Sample s = sample(scene_with("[0.98, 0.5]", dx, solver("monaghan2009") + fluid_2d));
   std::set<Real> x;
   for (std::size_t i = 0; i < s.monaghan2009.x.size(); i += 2) x.insert(s.monaghan2009.x[i]);
@@ -61,9 +61,9 @@ TEST(SampleSides, FitTheDomainWhereTheSpacingDoesNot) {
   EXPECT_NEAR(0.98 + 0.98 / 40, *x.rbegin(), 1e-6);
 }
 
-/// So that the water that starts half a spacing before the wall has its rest density there,
-/// whatever the kernel: seen by the density of the first step in tests/sim/rest_test.cpp too.
-TEST(SampleSides, OfAkinciStandWhereOneLayerMakesUpForTheMissingHalf) {
+/// The distance gives water half a spacing from the wall its rest density, with any kernel.
+/// tests/sim/rest_test.cpp checks the density of the first step.
+TEST(SampleSides, OfAkinci2012AreAtTheSingleLayerDistance) {
   for (const char* kernel : {"cubic_spline", "wendland_c2"}) {
     const Scene scene = scene_with("[1, 0.5]", dx,
                                    solver("akinci2012") + "solver.kernel = \"" + kernel + "\"\n" +
@@ -79,11 +79,11 @@ TEST(SampleSides, OfAkinciStandWhereOneLayerMakesUpForTheMissingHalf) {
   }
 }
 
-TEST(SampleSides, MixTheirMethods) {
+TEST(SampleSides, CanHaveDifferentMethods) {
   const Sample s = sample(scene_with(
       "[1, 0.5]", dx,
       solver("adami2012") + "walls.y_max = \"open\"\nwalls.x_min = \"akinci2012\"\n" + fluid_2d));
-  // the corner of x_min and y_min: one place for x_min, whose layer is one, three for y_min
+  // corner of x_min and y_min: one place for the single layer of x_min, three for y_min
   EXPECT_EQ((std::map<int, int>{{0, 11 + 1}}), counts_of(s.akinci2012));
   EXPECT_EQ((std::map<int, int>{{1, 2 * 14}, {2, 2 * 20 + 3}}), counts_of(s.adami2012));
 }
@@ -100,11 +100,11 @@ TEST(SampleSides, RepeatBeyondPeriodicEnds) {
 
 struct Shaped {
   std::string shape;
-  double area;  ///< of the surface half a spacing behind [m^(D-1)]; 0: not checked
+  double area;  ///< area half a spacing behind the surface [m^(D-1)]; 0: not checked
   bool three = true;
 };
 
-/// Layers stand (k + 1/2) spacings behind the surface and about one spacing apart.
+/// Expects layers (k + 1/2) spacings behind the surface, with points about one spacing apart.
 void expect_layers(const Shaped& wall, const char* method, int layers) {
   const Scene scene = scene_with(wall.three ? "[1, 1, 1]" : "[1, 1]", dx,
                                  solver("open") + (wall.three ? high_3d : high_2d) + "[wall]\n" +
@@ -154,14 +154,14 @@ const Shaped shapes[] = {
     {"shape = \"plane\"\npoint = [0.5, 0.4, 0.5]\nnormal = [1, 2, -1]\n", 0},
 };
 
-TEST(SampleWalls, StandBehindTheSurfaceAboutASpacingApart) {
+TEST(SampleWalls, LieBehindTheSurfaceAboutASpacingApart) {
   for (const Shaped& shape : shapes) {
     expect_layers(shape, "akinci2012", 1);
     expect_layers(shape, "adami2012", 2);
   }
 }
 
-TEST(SampleWalls, AreNotTakenFarOutsideTheDomain) {
+TEST(SampleWalls, EndNearTheDomain) {
   const Sample s = sample(scene_with("[1, 1, 1]", dx,
                                      solver("open") + fluid_3d +
                                          "[wall]\nshape = \"sphere\"\ncenter = [1, 0.5, 0.5]\n"
@@ -173,13 +173,13 @@ TEST(SampleWalls, AreNotTakenFarOutsideTheDomain) {
   EXPECT_GT(farthest, 1.05);
 }
 
-TEST(SampleWalls, ComeInAgainThroughPeriodicEnds) {
+TEST(SampleWalls, RepeatAtPeriodicEnds) {
   const Sample s = sample(scene_with("[1, 1]", dx,
                                      solver("open") + "domain.periodic = \"x\"\n" + fluid_2d +
                                          "[wall]\nshape = \"sphere\"\ncenter = [1, 0.5]\n"
                                          "radius = 0.2\n"));
   const auto counts = counts_of(s.akinci2012);
-  EXPECT_EQ(22, counts.at(4));  // the whole circle once, half at either end
+  EXPECT_EQ(22, counts.at(4));  // the whole circle: half of it at each end
   EXPECT_GT(counts.at(-1 - 4), 0);
   for (std::size_t i = 0; i < s.akinci2012.wall.size(); ++i)
     EXPECT_EQ(s.akinci2012.wall[i] < 0, s.akinci2012.x[2 * i] < 0 || s.akinci2012.x[2 * i] >= 1);
@@ -193,12 +193,12 @@ TEST(SampleWalls, FillAnObstacleThatIsThinnerThanItsLayers) {
   EXPECT_EQ(10u, s.adami2012.wall.size());
 }
 
-/// A body where all walls are of a method.
+/// A scene with this body, where all walls have this method.
 Scene body_scene(const std::string& method, const std::string& body) {
   return scene_with("[1, 1]", dx, solver(method.c_str()) + fluid_2d + "[body]\n" + body);
 }
 
-TEST(SampleBodies, TakeTheLayersOfAdamiWhereWallsAreOfIt) {
+TEST(SampleBodies, HaveLayersIfTheWallsAreOfAdami2012) {
   const std::string box = "min = [0.4, 0.4]\nmax = [0.7, 0.8]\n",
                     disc = "shape = \"sphere\"\ncenter = [0.5, 0.5]\nradius = 0.2\n";
   EXPECT_EQ(6u * 8 - 2 * 4, sample(body_scene("adami2012", box)).bodies.body.size());
@@ -212,7 +212,7 @@ TEST(SampleBodies, TakeTheLayersOfAdamiWhereWallsAreOfIt) {
   EXPECT_NEAR(dx / 2, shallowest, 1e-12);
 }
 
-TEST(SampleBodies, WarnWhereTheyAreTooThinForTheirLayers) {
+TEST(SampleBodies, WarnIfTooThinForTheirLayers) {
   const auto warnings_of = [](const char* method, const char* width) {
     return scene_warnings(
         body_scene(method, std::string("min = [0.4, 0.4]\nmax = [0.9, ") + width + "]\n"));
@@ -225,7 +225,7 @@ TEST(SampleBodies, WarnWhereTheyAreTooThinForTheirLayers) {
   EXPECT_NE(std::string::npos, warnings[0].message.find("make it thicker"));
 }
 
-TEST(WallNames, CountTheSidesFirst) {
+TEST(WallNames, StartWithTheSides) {
   const Scene scene =
       scene_with("[1, 1]", dx,
                  fluid_2d +

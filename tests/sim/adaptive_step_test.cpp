@@ -14,7 +14,7 @@ std::string scene(const std::string& solver, const std::string& time) {
          solver + "[time]\nend = 0.05\n" + time;
 }
 
-/// The run's whole numbers, and how often each bound ruled.
+/// Runs to the end and checks each step against the limits. Returns how often each limit applied.
 std::map<std::string, std::int64_t> run(const std::string& text, double step_max) {
   Simulation sim = simulation_of(text);
   double time = 0, least = INFINITY, most = 0;
@@ -43,7 +43,7 @@ std::map<std::string, std::int64_t> run(const std::string& text, double step_max
 
 using Ruled = std::map<std::string, std::int64_t>;
 
-TEST(AdaptiveStep, KeepsToEachBound) {
+TEST(AdaptiveStep, IsTheMinimumOfItsLimits) {
   const std::string adaptive = "step = \"adaptive\"\n";
   const Ruled sound =
       run(scene("name = \"wcsph\"\nsound_speed = 30.0\n", adaptive + "step_max = 0.01\n"), 0.01);
@@ -62,18 +62,18 @@ TEST(AdaptiveStep, KeepsToEachBound) {
   EXPECT_GT(pushed.at("force"), 0);
 }
 
-TEST(AdaptiveStep, IsShorterThanEveryBoundOfTheFormulas) {
+TEST(AdaptiveStep, LimitsFollowTheFormulas) {
   Simulation sim = simulation_of(
       scene("name = \"wcsph\"\nsound_speed = 30.0\n", "step = \"adaptive\"\nstep_max = 0.01\n"));
   for (int k = 0; k < 20; ++k) sim.step();
   const TimeStepBounds b = sim.bounds();
-  const double h = 0.05;  // half the support
+  const double h = 0.05;  // half the support radius
   EXPECT_NEAR(0.4 * h / (30 + sim.statistics().speed_max), b.acoustic, 1e-8);
   EXPECT_NEAR(0.125 * h * h / (0.05 * h * 30 / 8), b.viscous, 1e-6);
   EXPECT_LT(b.force, 0.25 * std::sqrt(h / 9.81) * 1.01);
 }
 
-TEST(FixedStep, MakesTimeAMultiple) {
+TEST(FixedStep, TimeIsAMultipleOfTheStep) {
   Simulation sim =
       simulation_of(scene("name = \"wcsph\"\nsound_speed = 30.0\n", "step = 0.0003\n"));
   while (!sim.finished()) {

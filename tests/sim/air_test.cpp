@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What air does to single drops and to surfaces.
+// Air drag on single drops and on surfaces.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace freshet::test {
 namespace {
 
-/// One drop, or a ball of many, in a wind.
+/// A cube of liquid in a wind: one particle if its half width is half a spacing.
 std::string in_air(const std::string& solver, double spacing, double radius,
                    const std::string& gravity, const std::string& velocity, const std::string& wind,
                    double step, const std::string& drag = "gissler2017") {
@@ -28,9 +28,9 @@ std::string in_air(const std::string& solver, double spacing, double radius,
 
 class Air : public ::testing::TestWithParam<const char*> {};
 
-// A drop of a millimetre falls as fast as drag = weight: a ball's drag by Liu, Mather and Reitz,
-// flattened by the wind it makes.
-TEST_P(Air, HoldsAFallingDrop) {
+// A drop of 1 mm falls at the speed where the drag equals its weight: the drag of Liu, Mather and
+// Reitz for a sphere that the air stream flattens.
+TEST_P(Air, DropFallsAtItsTerminalSpeed) {
   if (!compiled(GetParam())) GTEST_SKIP() << "not compiled in this build";
   const double d = 0.001, rho_air = 1.2, mu_air = 1.8e-5, g = 9.81, sigma = 0.0728;
   Simulation sim = simulation_of(
@@ -42,7 +42,7 @@ TEST_P(Air, HoldsAFallingDrop) {
   const double L = std::cbrt(3 * d * d * d / (4 * std::numbers::pi));
   const double re = 2 * rho_air * speed * L / mu_air;
   const double C = 24 / re * (1 + std::pow(re, 2.0 / 3) / 6);
-  // 1 + exp(-pi/(omega t_d)) = 1.93 of the flattening at rest, for water's viscosity
+  // 1 + exp(-pi/(omega t_d)) = 1.93 times the flattening in equilibrium, for the viscosity of water
   const double t_d = 2 * 1000 * L * L / (5 * 0.001);
   const double omega = std::sqrt(8 * sigma / (1000 * L * L * L) - 1 / (t_d * t_d));
   const double y =
@@ -54,8 +54,8 @@ TEST_P(Air, HoldsAFallingDrop) {
   EXPECT_LT(speed, 6);
 }
 
-// Where the air moves with the liquid, nothing acts: the same as without air.
-TEST_P(Air, OfTheSameVelocityDoesNothing) {
+// Air that moves with the liquid gives the velocities of a run without air.
+TEST_P(Air, OfTheSameVelocityExertsNoForce) {
   if (!compiled(GetParam())) GTEST_SKIP() << "not compiled in this build";
   const auto run = [&](const std::string& drag) {
     Simulation sim = simulation_of(
@@ -69,8 +69,7 @@ TEST_P(Air, OfTheSameVelocityDoesNothing) {
   EXPECT_EQ(run("none"), run("gissler2017"));
 }
 
-// The wind pushes the side of a block that it meets, and not what stands behind.
-TEST_P(Air, MeetsTheWindwardSideOnly) {
+TEST_P(Air, PushesTheWindwardSideOnly) {
   if (!compiled(GetParam())) GTEST_SKIP() << "not compiled in this build";
   const auto velocities = [&](const std::string& wind) {
     Simulation sim =
@@ -91,8 +90,9 @@ TEST_P(Air, MeetsTheWindwardSideOnly) {
   const double windward = w1 - w0, lee = l1 - l0;
   EXPECT_GT(windward, 0);
   EXPECT_LT(std::abs(lee), 0.05 * windward);
-  // 1/2 rho v^2 on each particle's square, 9 in the middle of the side, which has 20 of the 21.3
-  // neighbours that make a particle a piece of a surface.
+  // 1/2 rho v² on the square of each of 9 particles in the middle of the side. They have 20
+  // neighbours; with 21.3, two thirds of the full number, a particle is a piece of surface and no
+  // drop.
   const double one = 0.5 * 1.2 * 400 * 1e-4 / (1000 * 1e-6) * 1e-5;
   EXPECT_NEAR(1.04, windward / (9 * one), 0.05);
 }

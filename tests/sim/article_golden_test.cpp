@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The article's pictures and figures, to the bit, whichever way neighbours are found.
+// Pictures, state and statistics of the article's scene, with both neighbour searches.
 #include <gtest/gtest.h>
 
 #include "core/sha256.h"
@@ -20,7 +20,7 @@ std::string picture_sha256(const Simulation& sim) {
 
 class ArticleGolden : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(ArticleGolden, FramesAndFigures) {
+TEST_P(ArticleGolden, FramesAndStatisticsAreThoseOfTheArticle) {
   Simulation sim(load_scene(SOURCE_DIR "/scenes/article.toml", {{"solver.search", GetParam()}}));
   std::vector<std::string> frames;
   while (sim.steps_done() < 2000) {
@@ -54,7 +54,7 @@ TEST_P(ArticleGolden, FramesAndFigures) {
 INSTANTIATE_TEST_SUITE_P(Search, ArticleGolden, ::testing::Values("grid", "all_pairs"),
                          [](const auto& search) { return std::string(search.param); });
 
-TEST(Golden, MuellersPaperScheme) {
+TEST(Golden, MuellersPaperSchemeHasTheRecordedState) {
   Simulation sim(load_scene(SOURCE_DIR "/scenes/article_corrected.toml",
                             {{"particles.spacing", "0.1"}, {"particles.support_radius", "0.2"}}));
   while (sim.steps_done() < 500) sim.step();

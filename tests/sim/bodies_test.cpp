@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rigid bodies in the fluid, against closed forms and conservation.
+// Rigid bodies in a fluid: closed forms and conservation.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -58,7 +58,7 @@ const std::string pool =
     "[domain]\nmax = [1, 0.6]\n[particles]\nspacing = 0.02\n"
     "[fluid]\nmin = [0, 0]\nmax = [1, 0.3]\npressure = \"hydrostatic\"\n";
 
-/// Of runs that take sound too many steps.
+/// Without the weakly compressible solvers, whose runs would need too many steps.
 class FloatingBodies : public Bodies {};
 INSTANTIATE_TEST_SUITE_P(Solvers, FloatingBodies,
                          ::testing::Values(Words{"iisph"}, Words{"dfsph"}, Words{"pbf"}));
@@ -80,7 +80,7 @@ template <class F> double mean_of(Simulation& sim, double seconds, F quantity) {
   return sum / time;
 }
 
-/// Where the surface of the water is, by its particles' volume.
+/// Height of the highest particle.
 double level_of(const Simulation& sim) {
   double most = 0;
   const ParticleView f = sim.fluid();
@@ -88,19 +88,19 @@ double level_of(const Simulation& sim) {
   return most;
 }
 
-TEST_P(FloatingBodies, FloatAsDeepAsTheyAreHeavy) {
+TEST_P(FloatingBodies, FloatAtTheDepthOfTheirDensity) {
   Simulation sim = simulation_of(
       with(pool + "[body]\nmin = [0.3, 0.2]\nmax = [0.7, 0.4]\nmotion = \"free\"\ndensity = 500\n",
            "3"));
   const double particles = double(sim.fluid().size()), spacing = 0.02;
   const double y = mean_of(sim, 1, [](Simulation& s) { return s.bodies()[0].position[1]; });
-  // What the water takes, and half of the box, fill the pool up to its level.
+  // The volumes of the water and of half the box fill the pool up to its level.
   const double level = particles * spacing * spacing + 0.4 * 0.1;
-  EXPECT_NEAR(level, y, 0.02 * 0.2) << "its middle lies in the surface";
+  EXPECT_NEAR(level, y, 0.02 * 0.2) << "the centre of the box must be at the surface";
   EXPECT_NEAR(0, sim.bodies()[0].orientation[2], 0.02) << "it lies level";
 }
 
-TEST_P(FloatingBodies, SinkIfTheyAreHeavier) {
+TEST_P(FloatingBodies, SinkIfDenserThanWater) {
   const auto sunk = [](const std::string& density) {
     Simulation sim =
         simulation_of(with(pool +
@@ -111,18 +111,18 @@ TEST_P(FloatingBodies, SinkIfTheyAreHeavier) {
     while (!sim.finished()) sim.step();
     return sim.bodies()[0].position[1];
   };
-  EXPECT_LT(sunk("1100"), 0.185) << "slowly: a box of five spacings in a lattice of particles";
-  EXPECT_LT(sunk("1500"), 0.08) << "it lies on the bottom, or on a film of water";
+  EXPECT_LT(sunk("1100"), 0.185) << "it sinks slowly: the box is five spacings high";
+  EXPECT_LT(sunk("1500"), 0.08) << "it must be on the floor, or on a film of water";
 }
 
-TEST_P(Bodies, AreLiftedByTheWaterTheyDisplace) {
+TEST_P(Bodies, AreLiftedByTheWeightOfDisplacedWater) {
   Simulation sim = simulation_of(with(pool + "[body]\nmin = [0.4, 0.1]\nmax = [0.6, 0.2]\n", "1"));
   const double lift = mean_of(sim, 0.5, [](Simulation& s) { return s.bodies()[0].force[1]; });
   EXPECT_NEAR(9.81 * 1000 * 0.2 * 0.1, lift, 0.05 * 9.81 * 20);
-  EXPECT_DOUBLE_EQ(0.15, sim.bodies()[0].position[1]) << "it is fixed";
+  EXPECT_DOUBLE_EQ(0.15, sim.bodies()[0].position[1]) << "a fixed body moved";
 }
 
-/// Momentum of the fluid and the free bodies.
+/// Momentum of the fluid and of the free bodies.
 std::array<double, 3> momentum_of(const Simulation& sim) {
   const Statistics s = sim.statistics();
   std::array<double, 3> p{};
@@ -135,8 +135,8 @@ std::array<double, 3> momentum_of(const Simulation& sim) {
   return p;
 }
 
-// A jet hits a box across the ends of a domain that repeats itself, and turns it.
-TEST_P(Bodies, KeepTheMomentum) {
+// A jet hits a box off its centre, across the ends of a periodic domain.
+TEST_P(Bodies, ConserveMomentum) {
   Simulation sim = simulation_of(
       with("[domain]\nmax = [1, 1]\nperiodic = \"xy\"\ngravity = [0, 0]\n[particles]\n"
            "spacing = 0.025\n[fluid]\nmin = [0.6, 0.1]\nmax = [0.9, 0.5]\nvelocity = [1, 0.1]\n"
@@ -146,15 +146,15 @@ TEST_P(Bodies, KeepTheMomentum) {
   const auto before = momentum_of(sim);
   while (!sim.finished()) sim.step();
   const auto after = momentum_of(sim);
-  EXPECT_GT(std::abs(sim.bodies()[0].velocity[0] + 0.5), 0.2) << "it was hit";
-  EXPECT_GT(std::abs(sim.bodies()[0].angular_velocity[2]), 0.2) << "not in its middle";
+  EXPECT_GT(std::abs(sim.bodies()[0].velocity[0] + 0.5), 0.2) << "the jet must hit the box";
+  EXPECT_GT(std::abs(sim.bodies()[0].angular_velocity[2]), 0.2) << "the jet must turn the box";
   const double most = std::abs(before[0]) + 31.5 * 0.5;
-  // pbf's particles answer by their places, and the body by its velocity.
+  // pbf corrects positions of particles, but the velocity of a body.
   const double share = GetParam().solver == std::string("pbf") ? 5e-3 : 2e-5;
   for (std::size_t d = 0; d < 2; ++d) EXPECT_NEAR(before[d], after[d], share * most) << d;
 }
 
-TEST_P(ThinBodies, LetNothingThrough) {
+TEST_P(ThinBodies, LetNoParticleThrough) {
   Simulation sim =
       simulation_of(with("[domain]\nmax = [1, 0.4]\n[particles]\nspacing = 0.02\n"
                          "[fluid]\nmin = [0.4, 0]\nmax = [0.8, 0.2]\n"
@@ -170,12 +170,12 @@ TEST_P(ThinBodies, LetNothingThrough) {
   EXPECT_GT(level_of(sim), 0.25) << "the water rose";
 }
 
-/// Bodies of several layers of samples.
+/// Bodies of several layers of body particles.
 class LayeredBodies : public Bodies {};
 INSTANTIATE_TEST_SUITE_P(Solvers, LayeredBodies,
                          ::testing::Values(layered_wcsph, layered_delta_sph));
 
-TEST_P(LayeredBodies, PushWaterAndLetNothingThrough) {
+TEST_P(LayeredBodies, PushWaterAndLetNoParticleThrough) {
   Simulation sim =
       simulation_of(with("[domain]\nmax = [1, 0.4]\n[particles]\nspacing = 0.02\n"
                          "[fluid]\nmin = [0.4, 0]\nmax = [0.8, 0.2]\n"
@@ -193,10 +193,10 @@ TEST_P(LayeredBodies, PushWaterAndLetNothingThrough) {
   for (std::size_t i = 0; i < f.size(); ++i)
     EXPECT_GT(double(f.x[2 * i]), 0.6) << "particle " << f.id[i];
   EXPECT_GT(level_of(sim), 0.25) << "the water rose";
-  EXPECT_LT(force, -200) << "more than the weight of the water, 0.2 m high, presses";
+  EXPECT_LT(force, -200) << "the force must exceed the hydrostatic one of 0.2 m of water";
 }
 
-TEST_P(LayeredBodies, Float) {
+TEST_P(LayeredBodies, FloatAtTheDepthOfTheirDensity) {
   Simulation sim = simulation_of(with(
       pool + "[body]\nmin = [0.3, 0.22]\nmax = [0.7, 0.42]\nmotion = \"free\"\ndensity = 500\n",
       "1.5"));
@@ -206,8 +206,8 @@ TEST_P(LayeredBodies, Float) {
   EXPECT_NEAR(0, sim.bodies()[0].orientation[2], 0.02) << "it lies level";
 }
 
-// Samples a support away from water see it by next to nothing, (1 - r/support)^6.
-TEST_P(LayeredBodies, BearAKernelThatNearlyEnds) {
+// Body particles a support radius away from water see it with a tiny weight, (1 - r/support)^6.
+TEST_P(LayeredBodies, StayStableWithWendlandC4) {
   Simulation sim = simulation_of(
       std::string(
           "[domain]\nmax = [1.2, 0.9]\n[particles]\nspacing = 0.02\nsupport_radius = 0.1\n"
@@ -221,8 +221,8 @@ TEST_P(LayeredBodies, BearAKernelThatNearlyEnds) {
   EXPECT_LT(sim.statistics().speed_max, 1);
 }
 
-// A tank under gravity, and one that is lifted without: water cannot tell.
-TEST_P(LayeredBodies, LiftWaterAsIfItWereHeavy) {
+// A tank under gravity and one without, accelerated upwards by g, are equivalent.
+TEST_P(LayeredBodies, AcceleratedTankActsLikeGravity) {
   if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
   const double g = 9.81, end = 0.15;
   const auto water = [&](double gravity, const std::string& motion) {
@@ -255,7 +255,7 @@ TEST_P(LayeredBodies, LiftWaterAsIfItWereHeavy) {
   EXPECT_NEAR(heavy.bodies()[0].force[1], lifted.bodies()[0].force[1], 0.01 * weight);
 }
 
-/// Two boxes that meet, a wheel and a wall that moves; across the ends of the domain.
+/// Two boxes that collide, a wheel and a moving wall, across the ends of a periodic domain.
 std::string crowd(bool flat) {
   const auto vector = [&](double x, double y) {
     return "[" + std::to_string(x) + ", " + std::to_string(y) + (flat ? "]" : ", 0.2]");
@@ -285,11 +285,11 @@ TEST_P(Bodies, HaveTheSameBits) {
   for (const bool flat : {true, false}) expect_same_bits(with(crowd(flat), "1"), 20);
 }
 
-TEST_P(Bodies, GoOnFromACheckpointToTheSameBits) {
+TEST_P(Bodies, ResumeFromACheckpointToTheSameBits) {
   expect_same_bits_after_restart(with(crowd(true), "1"), 9, 9);
 }
 
-// Flow between a wall and a plate that is drawn along: v = V y/H.
+// Couette flow between a wall and a moving plate: v = V y/H.
 TEST(MovedBodies, DragTheFluidAlong) {
   if (!has_solver(SolverName::dfsph)) GTEST_SKIP() << "not compiled in this build";
   Simulation sim = simulation_of(
@@ -306,13 +306,14 @@ TEST(MovedBodies, DragTheFluidAlong) {
   double most = 0;
   for (std::size_t i = 0; i < f.size(); ++i)
     most = std::max(most, std::abs(double(f.x[2 * i + 1]) / 0.2 - double(f.v[2 * i])));
-  EXPECT_LT(most, 0.07) << "a layer of samples slips, by the share of 1.2 spacings";
+  EXPECT_LT(most, 0.07) << "a layer of body particles slips, by a share of 1.2 spacings";
   const double drag = sim.bodies()[0].force[0];
-  EXPECT_LT(drag, -60) << "mu V/H over its length is 100; the operator's lattice has less";
+  EXPECT_LT(drag, -60) << "exact: mu V/H times the length, 100 N/m; a lattice gives less";
 }
 
-// A body of a fourth of the water's density in a narrow well: its added mass is many times its own.
-TEST_P(Bodies, StayCalmWhereTheyAreLight) {
+// A body of a quarter of the water's density in a narrow well: its added mass is many times its
+// own.
+TEST_P(Bodies, StayCalmIfTheyAreLight) {
   Simulation sim = simulation_of(
       with("[domain]\nmax = [0.5, 0.8]\n[particles]\nspacing = 0.025\n"
            "[fluid]\nmin = [0, 0]\nmax = [0.5, 0.3]\npressure = \"hydrostatic\"\n"

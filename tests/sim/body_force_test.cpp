@@ -17,7 +17,7 @@ class BodyForce : public ::testing::TestWithParam<const char*> {
     if (!has_solver(parse_scene(scene("", 1), "test.toml").solver.name))
       GTEST_SKIP() << "not compiled in this build";
   }
-  /// A block of water in the middle of an open domain, one metre off its centre.
+  /// A block of water in an open domain, 1 m from the domain's centre.
   std::string scene(const std::string& domain, double end, double step = 0.0005) const {
     std::string text = "[domain]\nmax = [4, 4]\n" + domain +
                        "[particles]\nspacing = 0.05\n[fluid]\nmin = [2.8, 1.8]\nmax = [3.2, 2.2]\n"
@@ -28,7 +28,7 @@ class BodyForce : public ::testing::TestWithParam<const char*> {
       text.insert(text.find("[time]"), "sound_speed = 30\ndensity_diffusion = \"antuono2010\"\n");
     return text;
   }
-  /// Its centre of mass.
+  /// Centre of mass of the fluid.
   static Vector center(const Simulation& sim) {
     const ParticleView f = sim.fluid();
     Vector sum(2);
@@ -45,15 +45,15 @@ INSTANTIATE_TEST_SUITE_P(Solvers, BodyForce,
                          ::testing::Values("delta_sph", "iisph", "dfsph", "pbf"),
                          [](const auto& solver) { return std::string(solver.param); });
 
-// Pair forces leave the centre of mass alone, so that it swings as a point does.
-TEST_P(BodyForce, SwingsAboutACentreAsAPointDoes) {
+// Pair forces do not move the centre of mass, so it swings like a point mass.
+TEST_P(BodyForce, MovesTheCentreOfMassLikeAPointMass) {
   const std::string domain = "gravity = [0, 0]\nbody_force = [\"-25*(x - 2)\", \"-25*(y - 2)\"]\n";
   const Simulation sim = run(scene(domain, 0.5, 0.001));
   EXPECT_NEAR(2 + std::cos(5 * 0.5), center(sim)[0], 0.01);
   EXPECT_NEAR(2, center(sim)[1], 0.002);
 }
 
-TEST_P(BodyForce, ThatIsConstantIsGravity) {
+TEST_P(BodyForce, ThatIsConstantEqualsGravity) {
   const Simulation one = run(scene("gravity = [1, -9.81]\n", 0.2)),
                    other =
                        run(scene("gravity = [0, 0]\nbody_force = [\"1\", \"-(9 + 0.81)\"]\n", 0.2));
@@ -61,7 +61,7 @@ TEST_P(BodyForce, ThatIsConstantIsGravity) {
     EXPECT_NEAR(double(one.fluid().x[i]), double(other.fluid().x[i]), 1e-3);
 }
 
-TEST_P(BodyForce, TurnsWithTime) {
+TEST_P(BodyForce, CanDependOnTime) {
   const std::string domain = "gravity = [0, 0]\nbody_force = [\"4*sin(10*t)\", \"4*cos(10*t)\"]\n";
   const double t = 0.3;
   const Simulation sim = run(scene(domain, t, 0.001));
@@ -69,7 +69,7 @@ TEST_P(BodyForce, TurnsWithTime) {
   EXPECT_NEAR(2 + 0.04 * (1 - std::cos(10 * t)), center(sim)[1], 0.002);
 }
 
-TEST(BodyForceOrder, IsTheIntegrators) {
+TEST(BodyForceOrder, IsTheOrderOfTheIntegrator) {
   if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
   const auto error = [](const char* integrator, double step) {
     Simulation sim = simulation_of(
@@ -86,7 +86,7 @@ TEST(BodyForceOrder, IsTheIntegrators) {
     EXPECT_NEAR(4, error(integrator, 0.02) / error(integrator, 0.01), 0.4) << integrator;
 }
 
-TEST(BodyForceOrder, BoundsAdaptiveSteps) {
+TEST(BodyForceOrder, LimitsAdaptiveSteps) {
   if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
   Simulation sim = simulation_of(
       "[domain]\nmax = [4, 4]\ngravity = [0, 0]\nbody_force = [\"100*t\", \"0\"]\n"

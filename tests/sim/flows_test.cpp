@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Inlets bring what they say, outlets take what comes, counters count it: to the particle, and to
-// the same bits on every backend and after a restart.
+// Inlets, outlets and counters: exact numbers of particles, and the same bits on every backend and
+// after a restart.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace freshet::test {
 namespace {
 
-/// A box of air, a slit of four places 0.2 m deep in it that looks to the right.
+/// An empty box with an inlet at its centre line: four particles wide, directed to the right.
 std::string jet(const std::string& inlet, const std::string& time, const std::string& more = "",
                 const std::string& solver = "name = \"wcsph\"\nsound_speed = 30\n") {
   return "[domain]\nmax = [1.6, 1.0]\ngravity = [0, 0]\n[particles]\nspacing = 0.05\n"
@@ -24,7 +24,7 @@ std::string jet(const std::string& inlet, const std::string& time, const std::st
          inlet + more + "[solver]\n" + solver + "[time]\nend = 10\n" + time;
 }
 
-/// On one thread: there are few particles.
+/// One thread, since there are few particles.
 Simulation small(const std::string& text) { return simulation_of(text, "cpu", {1, ""}); }
 
 void run_until(Simulation& sim, double time) {
@@ -36,9 +36,9 @@ std::set<std::uint64_t> ids(const Simulation& sim) {
   return {f.id.begin(), f.id.end()};
 }
 
-// Layers go through at (k + 1/2) spacing/speed, those that are held stand behind the opening: after
-// 0.31 s at 2 m/s the flow has gone 12.4 spacings.
-TEST(Inlet, BringsItsRateToTheParticleWithAnyStep) {
+// Layer k passes the opening at (k + 1/2) spacing/speed; held layers are behind it. After 0.31 s at
+// 2 m/s the flow has moved by 12.4 spacings.
+TEST(Inlet, EmitsTheExactNumberOfParticlesWithAnyStep) {
   for (const char* step :
        {"step = 0.001", "step = 0.0007", "step = 0.05", "step = \"adaptive\"\nstep_max = 0.01"}) {
     Simulation sim = small(jet("speed = 2\n", step + std::string("\n")));
@@ -46,17 +46,17 @@ TEST(Inlet, BringsItsRateToTheParticleWithAnyStep) {
       sim.step();
       const double gone = 2 * sim.time() / 0.05;
       const auto through = std::int64_t(std::floor(gone + 0.5 + 1e-9));
-      // to the zone's back, half a spacing in
+      // new layers start half a spacing inside the back of the zone
       const auto born = std::int64_t(std::floor(gone + 1e-9)) + 3;
       ASSERT_EQ(4 * through, sim.flows()[0].particles) << step << " at " << sim.time();
       ASSERT_EQ(std::size_t(4 * born), sim.fluid().size()) << step << " at " << sim.time();
     }
     EXPECT_EQ(sim.fluid().size(), ids(sim).size());
-    EXPECT_EQ(sim.fluid().size() - 1, *ids(sim).rbegin()) << "ids count on";
+    EXPECT_EQ(sim.fluid().size() - 1, *ids(sim).rbegin()) << "ids must be consecutive";
   }
 }
 
-TEST(Inlet, HoldsItsLatticeWhereItOughtToBe) {
+TEST(Inlet, HoldsItsLatticeInPlace) {
   Simulation sim = small(jet("speed = 2\n", "step = 0.0013\n"));
   for (int k = 0; k < 57; ++k) sim.step();
   const auto f = sim.fluid();
@@ -71,12 +71,12 @@ TEST(Inlet, HoldsItsLatticeWhereItOughtToBe) {
     EXPECT_EQ(Real(2), f.v[2 * i]);
     EXPECT_EQ(Real(0), f.v[2 * i + 1]);
   }
-  EXPECT_EQ(8, held) << "of 2.5 spacings the layers 0.54 and 1.54 behind";
+  EXPECT_EQ(8, held) << "two layers are held, 0.54 and 1.54 spacings behind the opening";
 }
 
-TEST(Inlet, BringsAFlowRateWhateverTheLatticeMakesOfItsWidth) {
+TEST(Inlet, KeepsItsFlowRateIfTheLatticeDoesNotFitItsWidth) {
   std::string text = jet("flow_rate = 0.3\n", "step = 0.001\n");
-  text.replace(text.find("width = 0.2"), 11, "width = 0.23");  // 4.6 places are 5
+  text.replace(text.find("width = 0.2"), 11, "width = 0.23");  // 4.6 spacings become 5
   Simulation sim = small(text);
   run_until(sim, 0.4);
   const Flow flow = sim.flows()[0];
@@ -84,15 +84,15 @@ TEST(Inlet, BringsAFlowRateWhateverTheLatticeMakesOfItsWidth) {
   EXPECT_NEAR(0.3, flow.rate, 5 * 0.05 * 0.05 / 0.4);
 }
 
-TEST(Inlet, StopsAfterItsVolume) {
+TEST(Inlet, EmitsBetweenItsStartAndStop) {
   Simulation sim = small(jet("speed = 2\nstart = 0.03\nstop = 0.27\n", "step = 0.001\n"));
   EXPECT_EQ(0u, sim.fluid().size());
   run_until(sim, 0.029);
   EXPECT_EQ(0u, sim.fluid().size());
   run_until(sim, 0.03);
-  EXPECT_EQ(12u, sim.fluid().size()) << "the zone is filled";
+  EXPECT_EQ(12u, sim.fluid().size()) << "the zone must be filled";
   run_until(sim, 0.5);
-  EXPECT_EQ(40, sim.flows()[0].particles) << "0.24 s at 2 m/s are 9.6 spacings";
+  EXPECT_EQ(40, sim.flows()[0].particles) << "0.24 s at 2 m/s are 9.6 spacings, that is 10 layers";
   EXPECT_EQ(40u, sim.fluid().size());
 }
 
@@ -127,7 +127,7 @@ constexpr const char* counters =
     "[[counter]]\nname = \"lower half\"\ncenter = [0.8, 0.2]\ndirection = [1, 0]\nwidth = 0.6\n"
     "[[counter]]\nname = \"beside\"\ncenter = [0.8, 0.9]\ndirection = [1, 0]\nwidth = 0.1\n";
 
-TEST(Counter, SeesWhatTheInletBrings) {
+TEST(Counter, CountsTheFlowOfTheInlet) {
   Simulation sim = small(
       jet("speed = 2\n", "step = \"adaptive\"\nstep_max = 0.01\n", std::string(outlet) + counters));
   run_until(sim, 1);
@@ -141,12 +141,12 @@ TEST(Counter, SeesWhatTheInletBrings) {
   EXPECT_EQ(-flows[2].particles, flows[3].particles);
   EXPECT_NEAR(rate / 2, flows[4].rate, 0.01 * rate);
   EXPECT_EQ(0, flows[5].particles);
-  // nothing is lost between: what has come is there, or has left
+  // each particle that entered is still there or has left
   EXPECT_EQ(flows[0].particles + 12 - flows[1].particles, std::int64_t(sim.fluid().size()));
   for (std::size_t i = 0; i < sim.fluid().size(); ++i) EXPECT_LE(sim.fluid().x[2 * i], 1.2f);
 }
 
-TEST(Counter, CountsAcrossAnEndThatRepeats) {
+TEST(Counter, CountsAcrossAPeriodicEnd) {
   const std::string text =
       "[domain]\nmax = [1.0, 0.5]\ngravity = [0, 0]\nperiodic = \"xy\"\n[particles]\nspacing = "
       "0.05\n"
@@ -155,17 +155,17 @@ TEST(Counter, CountsAcrossAnEndThatRepeats) {
       "[[counter]]\ncenter = [0.5, 0]\ndirection = [1, 0]\n"
       "[solver]\nname = \"wcsph\"\nsound_speed = 30\n[time]\nend = 2\nstep = 0.0005\n";
   Simulation sim = small(text);
-  run_until(sim, 1.01);  // twice round, and a bit
+  run_until(sim, 1.01);  // slightly more than two rounds
   for (const Flow& flow : sim.flows()) EXPECT_EQ(400, flow.particles) << flow.name;
 }
 
-// Of a layer some particles get there before the others, and wait for them.
-TEST(Recycling, BringsBackWhatLeaves) {
+// The first particles of a layer that reach the outlet wait for the others.
+TEST(Recycling, ReturnsParticlesThatLeave) {
   const char* round =
       "[[outlet]]\nname = \"drain\"\nshape = \"sphere\"\ncenter = [1.3, 0.6]\nradius = 0.3\n";
   Simulation sim = small(
       jet("speed = 2\nrecycle = \"drain\"\n", "step = \"adaptive\"\nstep_max = 0.01\n", round));
-  EXPECT_EQ(12u, sim.fluid().size()) << "the zone, and no more";
+  EXPECT_EQ(12u, sim.fluid().size()) << "only the zone is filled at the start";
   bool waited = false;
   while (sim.time() < 1.5) {
     sim.step();
@@ -175,11 +175,11 @@ TEST(Recycling, BringsBackWhatLeaves) {
   }
   EXPECT_TRUE(waited);
   const auto flows = sim.flows();
-  EXPECT_GT(flows[1].particles, 20) << "round and round";
-  EXPECT_GT(*ids(sim).rbegin(), 30u) << "an id is never used again";
+  EXPECT_GT(flows[1].particles, 20) << "particles must pass the outlet more than once";
+  EXPECT_GT(*ids(sim).rbegin(), 30u) << "ids must not be reused";
 }
 
-/// Jets that meet a wall, a drain that feeds one of them, walls of several kinds.
+/// Jets that hit a wall, a drain that feeds one of them, and walls of several methods.
 std::string river(const std::string& solver, const std::string& time) {
   return "[domain]\nmax = [1.6, 1.0]\n[particles]\nspacing = 0.05\n"
          "[[fluid]]\nmin = [0.6, 0]\nmax = [1.2, 0.3]\n"
@@ -213,7 +213,7 @@ TEST_P(Flows, HaveTheReferencesBits) {
   const Outcome reference = expect_same_bits(text_, 60, [](Simulation& sim) {
     if (sim.steps_done() % 20 == 8) sim.wall_forces();
   });
-  EXPECT_GT(reference.flows[6], 10) << "some have left";
+  EXPECT_GT(reference.flows[6], 10) << "particles must have left through the drain";
 }
 
 // Whatever a caller asked for before: the forces on walls are a function of the state.
@@ -230,7 +230,7 @@ TEST_P(Flows, HaveWallForcesThatDoNotDependOnEarlierQueries) {
 }
 
 // Restored into simulations that have fewer particles, and others.
-TEST_P(Flows, GoOnAfterARestart) { expect_same_bits_after_restart(text_, 64, 30); }
+TEST_P(Flows, ResumeToTheSameBits) { expect_same_bits_after_restart(text_, 64, 30); }
 
 INSTANTIATE_TEST_SUITE_P(
     OfSolvers, Flows,
@@ -243,7 +243,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Words{"name = \"dfsph\"\nmax_iterations = 3\n", "step = 0.004\n"},
                       Words{"name = \"pbf\"\n", fixed}));
 
-TEST(Restart, OfAnotherSceneLeavesAllAsItWas) {
+TEST(Restart, OfAnotherSceneChangesNothing) {
   Simulation sim = small(jet("speed = 2\n", fixed));
   for (int k = 0; k < 40; ++k) sim.step();
   Simulation other = small(jet("speed = 2\n", fixed, counters));
@@ -254,7 +254,7 @@ TEST(Restart, OfAnotherSceneLeavesAllAsItWas) {
   other.step();
 }
 
-TEST(Restart, OfAnEmptySceneEmptiesIt) {
+TEST(Restart, OfAnEmptyFluidRemovesAllParticles) {
   const std::string text = jet("speed = 2\nstart = 0.01\n", fixed);
   Simulation sim = small(text);
   sim.step();
@@ -267,7 +267,7 @@ TEST(Restart, OfAnEmptySceneEmptiesIt) {
   EXPECT_EQ(state, sim.kept_sha256());
 }
 
-TEST(FlowsOfAScene, AreReckonedWith) {
+TEST(FlowsOfAScene, AreInTheDerivedNumbers) {
   const Scene scene = parse_scene(jet("speed = 2\nstop = 0.27\n", fixed, outlet), "test.toml");
   const Derived d = derive(scene);
   EXPECT_EQ(12, d.particles);
@@ -279,7 +279,7 @@ TEST(FlowsOfAScene, AreReckonedWith) {
   EXPECT_DOUBLE_EQ(0.4, d.inlets[0].rate);
 }
 
-TEST(FlowsOfAScene, HaveColumnsOfTheirOwn) {
+TEST(FlowsOfAScene, HaveColumnsInTheObservables) {
   Simulation sim = small(jet("speed = 2\n", fixed, outlet));
   const std::string header = observables_header(sim.scene());
   EXPECT_NE(std::string::npos,
@@ -293,7 +293,7 @@ TEST(FlowsOfAScene, HaveColumnsOfTheirOwn) {
   EXPECT_NE(std::string::npos, line.find(",20,0.02,0.4,0,0,")) << line;
 }
 
-TEST(Inlet, BringsALiquidOfItsOwn) {
+TEST(Inlet, EmitsItsOwnLiquid) {
   const std::string fluid =
       "rest_density = 400\n[[fluid]]\nmin = [1, 0]\nmax = [1.6, 0.2]\nrest_density = 1000\n";
   for (const char* backend : {"reference", "cpu"}) {
@@ -311,8 +311,8 @@ TEST(Inlet, BringsALiquidOfItsOwn) {
   }
 }
 
-// Discs and rectangles in 3D, at any angle.
-TEST(Inlet, BringsItsRateIn3D) {
+// The openings are a disc and a rectangle in an oblique plane.
+TEST(Inlet, EmitsItsFlowRateIn3D) {
   for (const char* opening : {"radius = 0.16\n", "width = 0.3\nheight = 0.2\nup = [0, 0, 1]\n"}) {
     const std::string text =
         "[domain]\nmax = [1, 1, 1]\n[particles]\nspacing = 0.05\n"

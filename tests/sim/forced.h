@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Flows whose decay, pressure or frequency is known, for tests of the forces beside pressure.
+/// Helpers for tests of the forces besides pressure.
 #pragma once
 #include <cmath>
 #include <cstring>
@@ -21,7 +21,7 @@ inline bool compiled(const std::string& solver) {
           .solver.name);
 }
 
-/// Gives every particle a velocity by its place: v[0 ... D) by x[0 ... D).
+/// Sets the velocity of every particle by its position: v[0 ... D) from x[0 ... D).
 inline void set_velocities(Simulation& sim,
                            const std::function<void(const Real* x, Real* v)>& velocity) {
   Checkpoint c = sim.checkpoint();
@@ -38,7 +38,7 @@ inline void set_velocities(Simulation& sim,
   sim.restore(c);
 }
 
-/// sum_i of what a particle has by its place and velocity.
+/// Sum over the particles of a function of position and velocity.
 inline double sum_over(const Simulation& sim,
                        const std::function<double(const Real* x, const Real* v)>& value) {
   const ParticleView f = sim.fluid();

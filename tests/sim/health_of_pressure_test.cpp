@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The watch over solvers that solve for the pressure: their solves, and messages without sound.
+// The health monitor with pressure solvers: their solves, and messages without sound.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -15,7 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr const char* weightless = "gravity = [0, 0]\n";
 constexpr const char* fixed = "step = 0.0005\n";
 
-/// The fluid flies at 20 m/s, so that the nominal speed of sound is 200 m/s.
+/// The fluid moves at 20 m/s, so the nominal speed of sound is 200 m/s.
 struct PressurePool : Pool {
   explicit PressurePool(const std::string& solver, const std::string& step = fixed)
       : Pool("", weightless, step, "velocity = [20, 0]\n[solver]\nname = \"" + solver + "\"\n") {
@@ -25,7 +25,7 @@ struct PressurePool : Pool {
   }
 };
 
-/// As if `count` solves more had ended so.
+/// Adds `count` solves that did not converge.
 void fail(SolveStatistics& s, std::int64_t count, double error, std::int64_t iterations = 100) {
   s.solves += count;
   s.not_converged += count;
@@ -35,7 +35,7 @@ void fail(SolveStatistics& s, std::int64_t count, double error, std::int64_t ite
   s.last_error = error;
 }
 
-TEST(HealthOfPressureSolvers, TellsOnceOfASolveThatDidNotConverge) {
+TEST(HealthOfPressureSolvers, SolvesThatDidNotConvergeGiveOneWarning) {
   PressurePool pool("dfsph");
   pool.solves.resize(2);
   pool.solves[1].name = "divergence";
@@ -52,7 +52,7 @@ TEST(HealthOfPressureSolvers, TellsOnceOfASolveThatDidNotConverge) {
       pool.warning().message);
   EXPECT_DOUBLE_EQ(2.5, pool.warning().worst);
   pool.look(30);
-  EXPECT_EQ(1, pool.warning().looks);  // nothing new
+  EXPECT_EQ(1, pool.warning().looks);  // no new solve
   fail(pool.solves[0], 1, 0.1);
   pool.look(40);
   EXPECT_EQ(2, pool.warning().looks);
@@ -74,11 +74,11 @@ TEST(HealthOfPressureSolvers, CountsNoSolveTwiceAfterARestart) {
   EXPECT_EQ(2, pool.warning().looks);
 }
 
-TEST(HealthOfPressureSolvers, TellsOfASolveBetweenLooks) {
+TEST(HealthOfPressureSolvers, WarnsOfASolveBetweenChecks) {
   PressurePool pool("iisph");
   fail(pool.solves[0], 1, 0.02, 77);
   pool.solves[0].last_iterations = 5;
-  pool.solves[0].last_error = 0.00005;  // a step later all is well
+  pool.solves[0].last_error = 0.00005;  // the next step converged
   pool.look(10);
   EXPECT_TRUE(contains(pool.warning().message,
                        "after 77 iterations its error was 2 %, and solver.density_tolerance is "
@@ -86,10 +86,10 @@ TEST(HealthOfPressureSolvers, TellsOfASolveBetweenLooks) {
       << pool.warning().message;
 }
 
-TEST(HealthOfPressureSolvers, CannotBeRightWhereMostStepsDoNotConverge) {
+TEST(HealthOfPressureSolvers, RunIsUnphysicalIfMostStepsDoNotConverge) {
   PressurePool most("pbf"), few("pbf");
   for (std::int64_t step = 10; step <= 100; step += 10) {
-    fail(most.solves[0], 12, 0.01);  // halved steps may fail more often than there are steps
+    fail(most.solves[0], 12, 0.01);  // halved steps can fail more often than there are steps
     fail(few.solves[0], 4, 0.01);
     EXPECT_EQ("", most.failure(step));
     few.look(step);
@@ -100,7 +100,7 @@ TEST(HealthOfPressureSolvers, CannotBeRightWhereMostStepsDoNotConverge) {
   EXPECT_FALSE(most.warning().cannot_be_right);  // 99 of 200
 }
 
-TEST(HealthOfPressureSolvers, SaysWhatASolveNeeds) {
+TEST(HealthOfPressureSolvers, NamesTheRemedyForASolve) {
   const auto message = [](Pool& pool, double error) {
     fail(pool.solves[0], 1, error);
     pool.look(10);
@@ -122,7 +122,7 @@ TEST(HealthOfPressureSolvers, SaysWhatASolveNeeds) {
   EXPECT_TRUE(contains(message(close, 0.01), "particles start too close"));
 }
 
-TEST(HealthOfPressureSolvers, KnowsHowSmallAnErrorNumbersTell) {
+TEST(HealthOfPressureSolvers, ReportsAnErrorBelowThePrecisionOf32BitNumbers) {
   const auto message = [](double tolerance, double error, std::int64_t iterations) {
     PressurePool pool("dfsph");
     pool.solves[0].tolerance = tolerance;
@@ -133,19 +133,19 @@ TEST(HealthOfPressureSolvers, KnowsHowSmallAnErrorNumbersTell) {
   const bool coarse = sizeof(Real) == sizeof(float);
   const char* words = "32-bit numbers do not tell so small an error";
   EXPECT_EQ(coarse, contains(message(1e-6, 3e-6, 100), words)) << message(1e-6, 3e-6, 100);
-  EXPECT_EQ(coarse, contains(message(1e-6, 3e-5, 40), words));  // gave up
+  EXPECT_EQ(coarse, contains(message(1e-6, 3e-5, 40), words));  // the solve gave up early
   EXPECT_FALSE(contains(message(1e-6, 3e-5, 100), words));
   EXPECT_FALSE(contains(message(2e-5, 3e-5, 40), words));
 }
 
-/// A warning or a failure, without a word of sound.
+/// Expects a message with this part that mentions neither sound nor stiffness.
 void expect_no_sound(const std::string& message, const std::string& part) {
   EXPECT_TRUE(contains(message, part)) << message;
   EXPECT_FALSE(contains(message, "sound")) << message;
   EXPECT_FALSE(contains(message, "stiffness")) << message;
 }
 
-TEST(HealthOfPressureSolvers, DoesNotSpeakOfSound) {
+TEST(HealthOfPressureSolvers, MessagesDoNotMentionSound) {
   PressurePool dense("iisph");
   dense.density.assign(100, 1200);
   dense.look(10);
@@ -172,7 +172,7 @@ TEST(HealthOfPressureSolvers, DoesNotSpeakOfSound) {
   expect_no_sound(one.failure(20), " J/kg of energy came from nowhere");
 }
 
-TEST(HealthOfPressureSolvers, SaysWhatMakesAStepFallToNothing) {
+TEST(HealthOfPressureSolvers, NamesTheCauseOfAVanishingStep) {
   Pool thick("", weightless, "step = \"adaptive\"\nstep_max = 0.01\n",
              "viscosity = 1e12\n[solver]\nname = \"dfsph\"\n");
   thick.bounds = {infinity, infinity, 1e-12};
@@ -185,9 +185,9 @@ TEST(HealthOfPressureSolvers, SaysWhatMakesAStepFallToNothing) {
                   "by the bound of flow, at step 10, 0.005 s; fluid.velocity asks for it");
 }
 
-TEST(HealthOfPressureSolvers, JudgesNoSpeedWhereNothingSetsAMeasure) {
+TEST(HealthOfPressureSolvers, DoesNotCheckSpeedsWithoutANominalSpeed) {
   Pool pool("", weightless, fixed, "[solver]\nname = \"pbf\"\n");
-  shake(pool, Real(0.1));  // that of a lattice that settles
+  shake(pool, Real(0.1));  // speed of a lattice that settles
   pool.look(10);
   EXPECT_TRUE(pool.warnings().empty());
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is watched while a run goes on, on particles made by hand: each rule on both sides of its
-// bounds.
+// The health monitor on artificial particles: each rule just below and just above its bounds.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +10,7 @@
 namespace freshet::test {
 namespace {
 
-TEST(Health, LooksOftenAtFirst) {
+TEST(Health, ChecksOftenAtFirst) {
   std::vector<std::int64_t> steps;
   for (std::int64_t k = 1; k <= 300; ++k)
     if (Health::due(k)) steps.push_back(k);
@@ -19,13 +18,13 @@ TEST(Health, LooksOftenAtFirst) {
             steps);
 }
 
-TEST(Health, SaysNothingOfGoodWater) {
+TEST(Health, ValidFluidGivesNoWarning) {
   Pool pool;
   for (const std::int64_t step : {10, 20, 100}) pool.look(step);
   EXPECT_TRUE(pool.warnings().empty());
 }
 
-TEST(Health, EndsWithWhatIsNoNumberWhateverIsAsked) {
+TEST(Health, NanEndsTheRunEvenIfWhenWrongIsWarn) {
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   for (const std::string& more : {std::string(), warn}) {
     Pool in_x(more), in_v(more), in_density(more);
@@ -41,11 +40,11 @@ TEST(Health, EndsWithWhatIsNoNumberWhateverIsAsked) {
   }
 }
 
-TEST(Health, EndsWithWhatIsFarBeyondAWall) {
+TEST(Health, ParticleFarBeyondAWallEndsTheRun) {
   Pool near, far, gone("[walls]\nx_max = \"open\"\n"), above("[walls]\nx_max = \"open\"\n");
-  near.x[0] = 15;  // ten diagonals are 14.1
+  near.x[0] = 15;  // ten diagonals are 14.1 m
   far.x[0] = gone.x[0] = Real(15.2);
-  gone.x[1] = -20;  // and fell, far from the floor
+  gone.x[1] = -20;  // it left through the open side and fell
   above.x[1] = Real(15.2);
   EXPECT_EQ("", near.failure(10));
   EXPECT_TRUE(far.failure(10).starts_with("error: particle 0 is lost, at (15.2, "))
@@ -56,16 +55,16 @@ TEST(Health, EndsWithWhatIsFarBeyondAWall) {
       << above.failure(20);
 }
 
-TEST(Health, CountsWhoWentThroughWalls) {
+TEST(Health, CountsParticlesThatWentThroughWalls) {
   Pool pool;
-  pool.x[2 * 9] = Real(1.11);  // the support reaches 0.1
+  pool.x[2 * 9] = Real(1.11);  // the support radius is 0.1 m
   pool.look(10);
   EXPECT_EQ("walls", pool.warning().kind);
   EXPECT_TRUE(pool.warning().message.starts_with(
       "1 of 100 particles went through walls that should hold them, the first of them particle 9 "
       "at (1.11, "))
       << pool.warning().message;
-  EXPECT_FALSE(pool.warning().cannot_be_right);  // 1 % may be strays
+  EXPECT_FALSE(pool.warning().cannot_be_right);  // up to 1 % may be strays
   pool.x[2 * 8 + 1] = Real(-0.11);
   EXPECT_EQ("", pool.failure(20));
   EXPECT_TRUE(pool.warning().cannot_be_right);
@@ -79,7 +78,7 @@ TEST(Health, CountsWhoWentThroughWalls) {
   EXPECT_TRUE(open.warnings().empty());
 }
 
-TEST(Health, CountsWhoIsInAWall) {
+TEST(Health, WarnsOfAParticleInAWall) {
   Pool pool("[[wall]]\nshape = \"box\"\nmin = [0.6, 0.2]\nmax = [0.9, 0.8]\n");
   pool.x[2 * 9] = Real(0.69);
   pool.look(10);
@@ -90,7 +89,7 @@ TEST(Health, CountsWhoIsInAWall) {
   EXPECT_EQ("walls", pool.warning().kind);
 }
 
-TEST(Health, TellsOfTheTimeStepAndGoesOn) {
+TEST(Health, LongTimeStepGivesAWarningOnly) {
   Pool pool;
   pool.bounds = {0.0005 / 1.24, 1, 1};
   pool.look(10);
@@ -100,17 +99,17 @@ TEST(Health, TellsOfTheTimeStepAndGoesOn) {
   EXPECT_EQ("time step", pool.warning().kind);
   EXPECT_TRUE(contains(pool.warning().message, "time.step, 0.0005 s, is 100 times the longest"));
   EXPECT_TRUE(contains(pool.warning().message, "by the bound of force"));
-  EXPECT_FALSE(pool.warning().cannot_be_right);  // it may go well
+  EXPECT_FALSE(pool.warning().cannot_be_right);  // a step over its limit can succeed
   Pool adaptive("", "gravity = [0, 0]\n", "step = \"adaptive\"\nstep_max = 0.01\n");
   adaptive.bounds = pool.bounds;
   adaptive.look(10);
   EXPECT_TRUE(adaptive.warnings().empty());
 }
 
-TEST(Health, WeighsDensityByWhatIsTooMuch) {
+TEST(Health, ChecksThePositiveDensityError) {
   Pool pool;
   for (Real& rho : pool.density) rho = 1099;
-  for (std::size_t k = 0; k < 50; ++k) pool.density[k] = 500;  // a surface is no error
+  for (std::size_t k = 0; k < 50; ++k) pool.density[k] = 500;  // as at a surface: no error
   pool.look(10);
   EXPECT_TRUE(pool.warnings().empty());
   for (Real& rho : pool.density) rho = 1110;
@@ -128,12 +127,12 @@ TEST(Health, WeighsDensityByWhatIsTooMuch) {
       << pool.failure(50);
 }
 
-TEST(Health, CannotBeRightWhereADoubtLasts) {
+TEST(Health, RunIsUnphysicalIfAWarningLasts) {
   Pool pool;
   const auto set = [&](Real rho) { pool.density.assign(pool.density.size(), rho); };
   set(1200);
   for (std::int64_t step = 10; step <= 50; step += 10) pool.look(step);
-  EXPECT_TRUE(pool.warning().cannot_be_right);  // since step 1 of 50
+  EXPECT_TRUE(pool.warning().cannot_be_right);  // steps 1 to 50 of 50
   EXPECT_EQ(5, pool.warning().looks);
   EXPECT_EQ(10, pool.warning().first_step);
   EXPECT_DOUBLE_EQ(0.005, pool.warning().first_time);
@@ -146,18 +145,18 @@ TEST(Health, CannotBeRightWhereADoubtLasts) {
   EXPECT_EQ(50, pool.warning().last_step);
 }
 
-TEST(Health, GoesOnWhereAsked) {
+TEST(Health, ContinuesIfWhenWrongIsWarn) {
   Pool pool(warn);
   pool.density.assign(pool.density.size(), 2500);
   EXPECT_EQ("", pool.failure(10));
   pool.density.assign(pool.density.size(), 1000);
   for (std::int64_t step = 20; step <= 100; step += 10) EXPECT_EQ("", pool.failure(step));
-  EXPECT_TRUE(pool.warning().cannot_be_right);  // once is enough beyond the fatal bound
+  EXPECT_TRUE(pool.warning().cannot_be_right);  // one check beyond the fatal bound is enough
   EXPECT_DOUBLE_EQ(1.5, pool.warning().worst);
 }
 
-TEST(Health, ComparesSpeedsWithSound) {
-  Pool pool;  // flies at twice the speed of sound, all of it alike
+TEST(Health, ComparesRelativeSpeedsWithSound) {
+  Pool pool;  // all particles move alike, at twice the speed of sound
   EXPECT_TRUE(pool.warnings().empty());
   shake(pool, Real(2.9));
   pool.look(10);
@@ -177,7 +176,7 @@ TEST(Health, ComparesSpeedsWithSound) {
       << pool.failure(50);
 }
 
-TEST(Health, TellsOfAParticleFasterThanSound) {
+TEST(Health, WarnsOfAParticleFasterThanSound) {
   Pool pool;
   shake(pool, 1);
   pool.v[2 * 33 + 1] = Real(9.8);
@@ -186,7 +185,8 @@ TEST(Health, TellsOfAParticleFasterThanSound) {
   pool.v[2 * 33 + 1] = Real(10.2);
   pool.look(20);
   EXPECT_EQ("fastest particle", pool.warning().kind);
-  EXPECT_TRUE(contains(pool.warning().message, "the fastest, particle 33 at (")) << "which";
+  EXPECT_TRUE(contains(pool.warning().message, "the fastest, particle 33 at ("))
+      << "the message must name particle 33";
 }
 
 TEST(Health, NamesTheSameParticlesInAnyOrder) {
@@ -197,7 +197,7 @@ TEST(Health, NamesTheSameParticlesInAnyOrder) {
       for (std::size_t k = 0; k < 50; ++k)
         for (std::size_t d = 0; d < 2; ++d) std::swap(pool.x[2 * k + d], pool.x[2 * (99 - k) + d]);
     }
-    pool.density.assign(100, 1300);  // all are the densest, and the fastest
+    pool.density.assign(100, 1300);  // all particles have the maximum density and speed
     shake(pool, 4);
     pool.look(10);
     EXPECT_EQ(2u, pool.warnings().size());
@@ -209,12 +209,12 @@ TEST(Health, NamesTheSameParticlesInAnyOrder) {
     EXPECT_TRUE(contains(message(true), words)) << message(true);
 }
 
-TEST(Health, AddsUpEnergy) {
-  Pool pool;                                 // 200 J/kg
-  pool.v.assign(pool.v.size(), Real(17.3));  // 299
+TEST(Health, ChecksTheEnergyPerMass) {
+  Pool pool;                                 // 200 J/kg at the start
+  pool.v.assign(pool.v.size(), Real(17.3));  // 299 J/kg
   pool.look(10);
   EXPECT_TRUE(pool.warnings().empty());
-  pool.v.assign(pool.v.size(), Real(17.4));  // 303
+  pool.v.assign(pool.v.size(), Real(17.4));  // 303 J/kg
   pool.look(20);
   EXPECT_EQ("energy", pool.warning().kind);
   EXPECT_NEAR(0.51, pool.warning().worst, 0.01);
@@ -224,19 +224,19 @@ TEST(Health, AddsUpEnergy) {
   EXPECT_TRUE(contains(pool.failure(40), " J/kg of energy came from nowhere")) << pool.failure(50);
 }
 
-TEST(Health, KnowsTheWorkOfGravity) {
-  const Real fast = 30;  // 900 J/kg, of which 200 were there
+TEST(Health, EnergyCheckIncludesTheWorkOfGravity) {
+  const Real fast = 30;  // 900 J/kg; the start has 200 J/kg
   for (const char* domain : {"gravity = [0, -1000]\n", "gravity = [0, 0]\n"}) {
     Pool falling("", domain);
     falling.v.assign(falling.v.size(), fast);
-    for (std::size_t k = 0; k < 100; ++k) falling.x[2 * k + 1] -= Real(0.7);  // into its floor
+    for (std::size_t k = 0; k < 100; ++k) falling.x[2 * k + 1] -= Real(0.7);  // into the floor
     falling.look(10);
     const auto& all = falling.warnings();
     EXPECT_EQ(domain[14] == '0', std::any_of(all.begin(), all.end(),
                                              [](const Warning& w) { return w.kind == "energy"; }))
         << domain;
   }
-  Pool endless("", "gravity = [1, 0]\nperiodic = \"x\"\n");  // a channel: work without end
+  Pool endless("", "gravity = [1, 0]\nperiodic = \"x\"\n");  // unlimited work of gravity
   endless.v.assign(endless.v.size(), 50);
   endless.look(10);
   EXPECT_TRUE(endless.warnings().empty());
@@ -248,7 +248,8 @@ TEST(Health, NamesTheLikeliestCause) {
     pool.density.assign(100, 2500);
     return pool.failure(10);
   };
-  EXPECT_TRUE(contains(cause(close), "make solver.sound_speed at least 200")) << "fast fluid";
+  EXPECT_TRUE(contains(cause(close), "make solver.sound_speed at least 200"))
+      << "faster than sound";
   Pool step("", "gravity = [0, 0]\n", "step = 0.05\n");
   EXPECT_TRUE(contains(cause(step), "time.step, 0.05 s, is over its bound, ")) << cause(step);
   Pool overlapping;
@@ -260,7 +261,7 @@ TEST(Health, NamesTheLikeliestCause) {
       << cause(overlapping);
 }
 
-TEST(Health, LeavesTheArticleAlone) {
+TEST(Health, DoesNotWarnOfTheArticle) {
   const Scene scene = with_defaults(load_scene(SOURCE_DIR "/scenes/article.toml"));
   Simulation sim(scene);
   for (int k = 0; k < 100; ++k) sim.step();

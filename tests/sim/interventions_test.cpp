@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a caller may change while a simulation runs: a force, gravity, positions and velocities.
+// A caller may change force, gravity, positions and velocities while a simulation runs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace freshet::test {
 namespace {
 
-/// Weightless water in the middle of a domain without walls.
+/// Water without gravity in the middle of a domain without walls.
 std::string drop(const std::string& solver, const std::string& domain = "") {
   return "domain = { max = [1, 1], gravity = [0, 0]" + domain +
          " }\nparticles = { spacing = 0.05 }\nwalls = { method = \"open\" }\n"
@@ -40,10 +40,10 @@ Vector velocity(const Simulation& sim) {
   return v;
 }
 
-TEST(Interventions, AForceHasTheBitsOfTheSameBodyForce) {
+TEST(Interventions, ForceHasTheBitsOfTheSameBodyForce) {
   if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
   for (const char* solver : solvers) {
-    if (std::string(solver) == "mueller2003") continue;  // its scenes have no open walls in common
+    if (std::string(solver) == "mueller2003") continue;
     SCOPED_TRACE(solver);
     Simulation a = simulation_of(drop(solver, ", body_force = [\"2 - x\", \"3*t\"]"));
     Simulation b = simulation_of(drop(solver));
@@ -72,13 +72,13 @@ TEST(Interventions, GravityChangesFromTheNextStepOn) {
     for (int k = 0; k < 20; ++k) sim.step();
     const Vector v = velocity(sim);
     EXPECT_NEAR(v[0], 4 * sim.time(),
-                0.06 * 4 * sim.time());  // leapfrog's first half kick had none
+                0.06 * 4 * sim.time());  // the first half kick of leapfrog was without gravity
     EXPECT_NEAR(v[1], 0, 1e-4);
     EXPECT_EQ(sim.scene().domain.gravity, (Vector{4, 0}));
   }
 }
 
-TEST(Interventions, GravityOfTheWrongKindIsRejectedAndNothingChanges) {
+TEST(Interventions, InvalidGravityIsRejectedAndChangesNothing) {
   Simulation sim = simulation_of(drop("wcsph"));
   for (const Vector& wrong :
        {Vector{1}, Vector{1, 2, 3}, Vector{0, std::numeric_limits<double>::quiet_NaN()}})
@@ -101,7 +101,7 @@ TEST(Interventions, PositionsAndVelocitiesCanBeWritten) {
     const Statistics before = sim.statistics();
     for (int k = 0; k < 10; ++k) sim.step();
     const Statistics after = sim.statistics();
-    EXPECT_NEAR(double(x), 0.525, 1e-6);  // the first place of the lattice, 0.1 to the right
+    EXPECT_NEAR(double(x), 0.525, 1e-6);  // the first lattice place, moved by 0.1 m
     EXPECT_NEAR(after.height_mean, before.height_mean - 2 * sim.time(), 1e-4);
   }
 }

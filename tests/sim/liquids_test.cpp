@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Several liquids at once: what lies on what, what they weigh, and that one is as good as two
-// alike.
+// Several liquids at once: layers, weights, momentum, and two equal liquids against one.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +11,7 @@
 namespace freshet::test {
 namespace {
 
-/// A tank 0.4 wide, 0.2 of one liquid below 0.2 of another, as densities of both ask for.
+/// A tank 0.4 m wide: 0.2 m of one liquid below 0.2 m of another, with these densities.
 std::string tank(const std::string& solver, double below, double above, const std::string& more,
                  const std::string& time) {
   const auto fluid = [](const char* low, const char* high, double density) {
@@ -24,7 +23,7 @@ std::string tank(const std::string& solver, double below, double above, const st
          "[walls]\nmethod = \"akinci2012\"\n[solver]\nname = \"" + solver + "\"\n[time]\n" + time;
 }
 
-/// The mean height of the particles of a liquid.
+/// Mean height of the particles of a liquid.
 double height_of(const Simulation& sim, int liquid) {
   const ParticleView f = sim.fluid();
   double sum = 0, n = 0;
@@ -50,8 +49,9 @@ INSTANTIATE_TEST_SUITE_P(All, Liquids,
 
 constexpr const char* adaptive = "end = 1\nstep = \"adaptive\"\nstep_max = 0.002\n";
 
-// Ten times as light, and it stays where it belongs, with its own density, and weighs what it does.
-TEST_P(Liquids, LieOnOneAnother) {
+// The upper liquid has a tenth of the density. Both stay in place, and the floor bears their
+// weight.
+TEST_P(Liquids, StayLayered) {
   Simulation sim = simulation_of(tank(GetParam(), 1000, 100, "", adaptive), "cpu");
   ASSERT_EQ(2u, sim.scene().liquids().size());
   double floor = 0, asked = 0;
@@ -71,8 +71,8 @@ TEST_P(Liquids, LieOnOneAnother) {
   for (const Warning& warning : sim.warnings()) ADD_FAILURE() << warning.message;
 }
 
-// Side by side they do not stay: the heavy one runs below the light one.
-TEST_P(Liquids, ComeToLieByTheirWeights) {
+// The liquids start side by side.
+TEST_P(Liquids, HeavyLiquidRunsBelowTheLightOne) {
   Simulation sim = simulation_of(
       std::string("[domain]\nmax = [0.6, 0.4]\n[particles]\nspacing = 0.02\n[[fluid]]\nmin = [0, "
                   "0]\nmax = [0.3, 0.3]\nrest_density = 300\n[[fluid]]\nmin = [0.3, 0]\nmax = "
@@ -84,8 +84,8 @@ TEST_P(Liquids, ComeToLieByTheirWeights) {
   EXPECT_GT(height_of(sim, light), height_of(sim, heavy) + 0.08);
 }
 
-// Forces between two liquids are equal and opposite, however different their masses.
-TEST_P(Liquids, KeepMomentum) {
+// Forces between two liquids of different masses are equal and opposite.
+TEST_P(Liquids, ConserveMomentum) {
   const std::string name = GetParam();
   const bool weakly = name == "wcsph" || name == "delta_sph";
   Simulation sim = simulation_of(
@@ -104,13 +104,13 @@ TEST_P(Liquids, KeepMomentum) {
     for (const Real p : sim.fluid().pressure) pressed = std::max(pressed, double(p));
   }
   const auto after = sim.statistics().momentum;
-  EXPECT_GT(pressed, 100) << "they meet";
+  EXPECT_GT(pressed, 100) << "the liquids must collide";
   for (std::size_t d = 0; d < 2; ++d)
     EXPECT_NEAR(before[d], after[d], 3e-5 * 2.5 * (1000 * 0.25 + 200 * 0.3)) << d;
 }
 
-// Two liquids that differ in colour only are one liquid: every bit of it.
-TEST_P(Liquids, ThatAreAlikeAreOne) {
+// Two liquids that differ in colour only have the bits of one liquid.
+TEST_P(Liquids, OfEqualPropertiesHaveTheBitsOfOne) {
   const auto state = [&](const char* color) {
     std::string text = tank(GetParam(), 800, 800, color, "end = 1\nstep = 2e-4\n");
     if (std::string(GetParam()) == "delta_sph")

@@ -16,7 +16,7 @@ class MeshWalls : public ::testing::TestWithParam<const char*> {
     if (!reads_meshes()) GTEST_SKIP() << "built without Assimp";
     write_text(folder_ / "ball.stl", stl_of(ball_mesh(1, 4)));
   }
-  /// A ball of water, and around it a hollow, both meshes.
+  /// A ball of water inside a hollow ball; both are meshes.
   std::string scene(const std::string& time) const {
     const std::string ball = "shape = \"mesh\"\nfile = \"" + (folder_ / "ball.stl").string() +
                              "\"\ntranslation = [0.5, 0.5, 0.5]\nscale = ";
@@ -29,7 +29,7 @@ class MeshWalls : public ::testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(Solvers, MeshWalls, ::testing::Values("wcsph", "dfsph"),
                          [](const auto& solver) { return std::string(solver.param); });
 
-TEST_P(MeshWalls, HoldWhatFallsOnThem) {
+TEST_P(MeshWalls, HoldFallingWater) {
   Simulation sim =
       simulation_of(scene("end = 0.5\nstep = \"adaptive\"\nstep_max = 0.002\n"), "cpu");
   double farthest = 0;
@@ -43,12 +43,12 @@ TEST_P(MeshWalls, HoldWhatFallsOnThem) {
                                         double(f.x[3 * i + 2]) - 0.5}));
     most = sim.wall_forces()[6];
   }
-  EXPECT_GT(farthest, 0.4) << "it fell";
-  EXPECT_LT(farthest, 0.45 + 0.015) << "half a spacing";
-  EXPECT_LT(most[1], 0) << "the water weighs on it";
+  EXPECT_GT(farthest, 0.4) << "the water must fall";
+  EXPECT_LT(farthest, 0.45 + 0.015) << "a particle is more than half a spacing beyond the wall";
+  EXPECT_LT(most[1], 0) << "the wall must bear the water";
 }
 
-TEST_P(MeshWalls, LeaveNoRoomForWaterInThem) {
+TEST_P(MeshWalls, AreSampledEvenlyAndExcludeNoWater) {
   const Scene hollow = parse_scene(scene("end = 1\nstep = 0.001\n"), "mesh.toml");
   const Sample start = sample(hollow);
   const double volume = 4.0 / 3 * 3.14159 * 0.15 * 0.15 * 0.15;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Particles made by hand under the watch of a run.
+/// Artificial particles under the health monitor.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 
 namespace freshet::test {
 
-/// Ten times ten particles of water in a box of 1 m without gravity; the speed of sound is 10 m/s.
-/// They start at 20 m/s, so that speeds up to there make no energy.
+/// 10 × 10 particles of water in a box of 1 m without gravity; the speed of sound is 10 m/s. They
+/// start at 20 m/s, so that speeds up to 20 m/s do not exceed the initial energy.
 class Pool {
  public:
   explicit Pool(const std::string& more = "", const std::string& domain = "gravity = [0, 0]\n",
@@ -37,9 +37,9 @@ class Pool {
     bounds = {0.002, 0.002, 0.002};
     begin_again();
   }
-  Pool(const Pool&) = delete;  // its watch refers to it
+  Pool(const Pool&) = delete;  // its health monitor refers to it
 
-  /// As if what the particles are now were after the first step.
+  /// Restarts the health monitor: the present particles are those after the first step.
   void begin_again() {
     health_ = std::make_unique<Health>(scene_, derived_, view());
     look(1);
@@ -48,7 +48,7 @@ class Pool {
   void look(std::int64_t step) {
     health_->look({step, double(step) * 0.0005, 0.0005}, view(), solves, [this] { return bounds; });
   }
-  /// What a look says that ends the run; empty where it goes on.
+  /// The error message of a check that ends the run; empty if the run continues.
   std::string failure(std::int64_t step) {
     try {
       look(step);
@@ -58,7 +58,7 @@ class Pool {
     }
     return "";
   }
-  /// What ends an adaptive run whose step fell to nothing.
+  /// The error message for an adaptive run whose time step vanished.
   std::string step_failure() {
     try {
       health_->fail_for_step({10, 0.005, 1e-12}, bounds);
@@ -67,13 +67,13 @@ class Pool {
     }
   }
   const WatchRecord& record() const { return health_->record(); }
-  /// As a restart after this step does.
+  /// Resumes after this step, as a restart does.
   void go_on(std::int64_t step, const WatchRecord& record) {
     health_ = std::make_unique<Health>(scene_, derived_, view());
     health_->go_on({step, double(step) * 0.0005, 0.0005}, record);
   }
   const std::vector<Warning>& warnings() const { return health_->warnings(); }
-  /// The one warning that there is.
+  /// Expects exactly one warning and returns it.
   const Warning& warning() const {
     EXPECT_EQ(1u, warnings().size());
     return warnings().at(0);
@@ -98,7 +98,7 @@ inline bool contains(const std::string& text, const std::string& part) {
 
 inline const std::string warn = "[checks]\nwhen_wrong = \"warn\"\n";
 
-/// Neighbours move against each other.
+/// Gives neighbours opposite velocities along x.
 inline void shake(Pool& pool, Real speed) {
   for (std::size_t k = 0; k < pool.id.size(); ++k) pool.v[2 * k] = k % 2 ? speed : -speed;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Solvers that solve for the pressure: water that stands stays, momentum is kept, and a solve that
-// does not come to its end says so.
+// Pressure solvers: still water stays at rest, momentum is conserved, and solves that do not
+// converge are reported.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ class PressureSolver : public ::testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(All, PressureSolver, ::testing::ValuesIn(all_solvers),
                          [](const auto& solver) { return std::string(solver.param); });
 
-TEST_P(PressureSolver, LeavesStillWaterStill) {
+TEST_P(PressureSolver, KeepsStillWaterAtRest) {
   for (const char* walls :
        {"[walls]\nmethod = \"akinci2012\"\n", "[walls]\nmethod = \"ghost\"\n"}) {
     Simulation sim = simulation_of(pool(name(), "end = 5\nstep = 0.002\n", walls), "cpu");
@@ -46,14 +46,14 @@ TEST_P(PressureSolver, LeavesStillWaterStill) {
     const Statistics s = sim.statistics();
     EXPECT_EQ(0, s.out_of_bounds) << walls;
     EXPECT_NEAR(height, s.height_mean, 0.01 * height) << walls;
-    EXPECT_LT(s.speed_mean, 0.01 * std::sqrt(2 * 9.81 * 0.3)) << walls;  // of a fall through it
+    EXPECT_LT(s.speed_mean, 0.01 * std::sqrt(2 * 9.81 * 0.3)) << walls;  // of a fall by 0.3 m
     EXPECT_LT(s.density_error_mean, 1.5 * sim.solves().back().tolerance) << walls;
     EXPECT_LT(worst, 0.005) << walls;
     for (const SolveStatistics& solve : sim.solves()) EXPECT_EQ(0, solve.not_converged) << walls;
   }
 }
 
-TEST_P(PressureSolver, HoldsTheWeightOfTheWater) {
+TEST_P(PressureSolver, FloorBearsTheWeightOfTheWater) {
   Simulation sim = simulation_of(pool(name(), "end = 3\nstep = 0.002\n"), "cpu");
   double floor = 0, samples = 0;
   while (!sim.finished()) {
@@ -66,7 +66,7 @@ TEST_P(PressureSolver, HoldsTheWeightOfTheWater) {
   EXPECT_NEAR(weight, floor / samples, 0.03 * weight);
 }
 
-TEST_P(PressureSolver, KeepsMomentum) {
+TEST_P(PressureSolver, ConservesMomentum) {
   Simulation sim = simulation_of(
       "[domain]\nmax = [2, 2]\ngravity = [0, 0]\n[particles]\nspacing = 0.05\njitter = 0.01\n"
       "[[fluid]]\nmin = [0.4, 0.6]\nmax = [0.9, 1.2]\nvelocity = [1.5, 0.2]\n"
@@ -81,13 +81,14 @@ TEST_P(PressureSolver, KeepsMomentum) {
     for (const Real p : sim.fluid().pressure) pressed = std::max(pressed, double(p));
   }
   const auto after = sim.statistics().momentum;
-  EXPECT_GT(pressed, 100) << "they meet";
+  EXPECT_GT(pressed, 100) << "the blocks must collide";
   for (std::size_t d = 0; d < 2; ++d)
-    EXPECT_NEAR(before[d], after[d], 2e-5 * 2.5 * 1000 * 0.55) << d;  // of m |v|, summed up
+    EXPECT_NEAR(before[d], after[d], 2e-5 * 2.5 * 1000 * 0.55) << d;  // of the sum of m |v|
 }
 
-// A ball of water falls into a hollow and is thrown about: what flies apart is not pushed on.
-TEST_P(PressureSolver, MakesNoEnergyWhereWaterIsThrownAbout) {
+// A ball of water falls in a hollow sphere and splashes; particles that separate must not gain
+// energy.
+TEST_P(PressureSolver, DoesNotGainEnergyInASplash) {
   Simulation sim = simulation_of(
       "[domain]\nmax = [1, 1, 1]\n[particles]\nspacing = 0.025\n[fluid]\nshape = \"sphere\"\n"
       "center = [0.5, 0.5, 0.5]\nradius = 0.15\n[[wall]]\nshape = \"sphere\"\nside = \"inside\"\n"
@@ -105,9 +106,9 @@ TEST_P(PressureSolver, MakesNoEnergyWhereWaterIsThrownAbout) {
   }
 }
 
-// A tolerance of the density leaves the pressure of one step much freedom; not that of many. Its
-// zero is not quite at the surface, whose particles have few neighbours: the slope tells; that
-// within two spacings of a wall is the wall's.
+// The density tolerance determines the pressure of a single step poorly, so the test averages over
+// many. It compares the slope, since the pressure is not exactly 0 at the surface, where particles
+// have few neighbours. Particles within two spacings of a wall do not count.
 TEST_P(PressureSolver, HasTheSlopeOfHydrostaticPressure) {
   Simulation sim = simulation_of(pool(name(), "end = 2\nstep = 0.001\n"), "cpu");
   double n = 0, depths = 0, pressures = 0, depths2 = 0, products = 0;
@@ -127,12 +128,12 @@ TEST_P(PressureSolver, HasTheSlopeOfHydrostaticPressure) {
     }
   }
   const double slope = (n * products - depths * pressures) / (n * depths2 - depths * depths);
-  EXPECT_NEAR(1, slope / (1000 * 9.81), 0.08);  // the short support's gradient: wcsph has 1.07
+  EXPECT_NEAR(1, slope / (1000 * 9.81), 0.08);  // short supports overestimate: wcsph has 1.07
 }
 
-// Two iterations are too few for what falls into a corner: the step is halved, and if that does not
-// help, taken and told.
-TEST_P(PressureSolver, TellsOfWhatDidNotConverge) {
+// Two iterations are too few for this collapse. The step is halved; if that does not help, it is
+// accepted and a warning reports it.
+TEST_P(PressureSolver, WarnsOfSolvesThatDidNotConverge) {
   const std::string hasty = "max_iterations = 2\ndensity_tolerance = 1e-6\n";
   Simulation sim = simulation_of(pool(name(hasty), "end = 0.1\nstep = 0.002\n"), "cpu");
   while (!sim.finished()) sim.step();
@@ -144,10 +145,10 @@ TEST_P(PressureSolver, TellsOfWhatDidNotConverge) {
   EXPECT_EQ("pressure solve", sim.warnings()[0].kind);
   for (const char* remedy : {"solver.density_tolerance", "solver.max_iterations"})
     EXPECT_NE(std::string::npos, sim.warnings()[0].message.find(remedy)) << remedy;
-  EXPECT_LT(sim.statistics().density_error_mean, 0.05) << "nothing is corrupt";
+  EXPECT_LT(sim.statistics().density_error_mean, 0.05) << "the state must stay valid";
 }
 
-TEST_P(PressureSolver, IsNotHalvedWhereThatIsNotWanted) {
+TEST_P(PressureSolver, DoesNotHalveStepsWithoutRetry) {
   const std::string hasty = "max_iterations = 2\ndensity_tolerance = 1e-6\n";
   Simulation sim =
       simulation_of(pool(name(hasty), "end = 0.1\nstep = 0.002\nretry = false\n"), "cpu");
@@ -169,11 +170,11 @@ double iterations(const char* iteration, double depth) {
   return sim.solves()[1].mean_iterations();
 }
 
-// The water falls from rest onto its floor: the pressure has to find its way up.
+// The water starts without pressure, which has to propagate from the floor to the surface.
 TEST(Nesterov, NeedsHalfTheIterationsOfJacobiInADeepColumn) {
   const double deep = iterations("nesterov", 1.0), shallow = iterations("nesterov", 0.5);
   EXPECT_LT(deep, 0.5 * iterations("jacobi", 1.0));
-  EXPECT_LT(deep, 2 * shallow) << "iterations grow more slowly than the depth";
+  EXPECT_LT(deep, 2 * shallow) << "iterations must grow more slowly than the depth";
 }
 
 }  // namespace

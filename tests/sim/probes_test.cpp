@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What probes tell of a fluid whose fields are known.
+// Probes in a fluid with known fields.
 #include "sim/probes.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace freshet::test {
 namespace {
 
-/// A block at rest, 0 to 1 along x and 0 to 0.6 along y, whose velocity is (y, 0).
+/// A block of 1 m × 0.6 m at rest density, whose velocity is (y, 0).
 std::string block(const std::string& probe, const std::string& more = "") {
   return "[domain]\nmax = [2.0, 1.0]\ngravity = [0, 0]\n" + more +
          "[particles]\nspacing = 0.02\n[fluid]\nmin = [0, 0]\nmax = [1, 0.6]\nvelocity_field = "
@@ -26,7 +26,7 @@ std::string block(const std::string& probe, const std::string& more = "") {
          "1e-4\n";
 }
 
-/// The numbers of the last line that the first probe tells.
+/// The numbers of the last line of the first probe.
 std::vector<double> look(const std::string& scene) {
   Simulation sim = simulation_of(scene);
   const auto lines = Probes(sim.scene()).look(sim);
@@ -36,20 +36,20 @@ std::vector<double> look(const std::string& scene) {
   return numbers;
 }
 
-TEST(Probes, AskAtAPoint) {
+TEST(Probes, InterpolateAtAPoint) {
   if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
   const auto inside = look(block("[probe]\nat = [0.5, 0.3]\n"));  // t, x, y, fraction, v, rho, p
   ASSERT_EQ(8u, inside.size());
   EXPECT_EQ(0, inside[0]);
   EXPECT_NEAR(1, inside[3], 0.02);
-  EXPECT_NEAR(0.3, inside[4], 1e-3) << "a linear field is told as it is";
+  EXPECT_NEAR(0.3, inside[4], 1e-3) << "a linear field must be interpolated exactly";
   EXPECT_NEAR(0, inside[5], 1e-9);
   EXPECT_NEAR(1000, inside[6], 1);
   const auto edge = look(block("[probe]\nat = [0.5, 0.6]\n"));
   EXPECT_NEAR(0.5, edge[3], 0.05);
   const auto outside = look(block("[probe]\nat = [1.5, 0.3]\n"));
   EXPECT_EQ(0, outside[3]);
-  EXPECT_TRUE(std::isnan(outside[6])) << "no fluid has no density";
+  EXPECT_TRUE(std::isnan(outside[6])) << "the density must be NaN outside the fluid";
 }
 
 TEST(Probes, FindTheSurface) {
@@ -62,7 +62,7 @@ TEST(Probes, FindTheSurface) {
   EXPECT_EQ(0, dry[1]);
 }
 
-TEST(Probes, AskInAPlane) {
+TEST(Probes, InterpolateInAPlane) {
   if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
   Simulation sim = simulation_of(
       block("[probe]\nkind = \"plane\"\nfrom = [0.2, 0.1]\nto = [0.8, 0.5]\napart = 0.2\n"));
@@ -79,7 +79,7 @@ TEST(Probes, AskInAPlane) {
     }
     told.push_back({n[1], n[2], n[4]});
   }
-  ASSERT_EQ(12u, told.size()) << "4 along x, 3 along y";
+  ASSERT_EQ(12u, told.size()) << "4 places along x, 3 along y";
   for (std::size_t k = 0; k < told.size(); ++k) {
     EXPECT_NEAR(0.2 + 0.2 * double(k % 4), told[k][0], 1e-9);
     EXPECT_NEAR(0.1 + 0.2 * double(k / 4), told[k][1], 1e-9);
@@ -87,7 +87,7 @@ TEST(Probes, AskInAPlane) {
   }
 }
 
-TEST(Probes, AreCarriedByABody) {
+TEST(Probes, MoveWithABody) {
   if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
   Simulation sim = simulation_of(
       block("[[body]]\nname = \"gate\"\nmin = [1.4, 0.3]\nmax = [1.6, 0.5]\nmotion = "
@@ -100,16 +100,16 @@ TEST(Probes, AreCarriedByABody) {
     EXPECT_EQ(4, std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &n[0], &n[1], &n[2], &n[3])) << line;
     return n;
   };
-  EXPECT_EQ(0, told()[3]) << "above the water";
+  EXPECT_EQ(0, told()[3]) << "the probe must start above the water";
   for (int k = 0; k < 180; ++k) sim.step();
   const auto [t, x, y, fraction] = told();
-  const double turned = 5000 * t * std::numbers::pi / 180;  // a quarter
+  const double turned = 5000 * t * std::numbers::pi / 180;  // a quarter turn
   EXPECT_NEAR(1.5 - std::sin(turned), x, 1e-5);
   EXPECT_NEAR(0.4 + std::cos(turned), y, 1e-5);
-  EXPECT_NEAR(1, fraction, 0.05) << "in the water";
+  EXPECT_NEAR(1, fraction, 0.05) << "the probe must be in the water";
 }
 
-TEST(Probes, SeeBeyondAPeriodicEnd) {
+TEST(Probes, SumAcrossAPeriodicEnd) {
   if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
   const std::string periodic = "periodic = \"y\"\n";
   std::string full = block("[probe]\nat = [0.5, 0.0]\n", periodic);
@@ -117,7 +117,7 @@ TEST(Probes, SeeBeyondAPeriodicEnd) {
   EXPECT_NEAR(1, look(full)[3], 0.02);
 }
 
-TEST(Probes, TellTheSameWhateverTheOrderOfTheParticles) {
+TEST(Probes, HaveTheSameBitsOnBothBackends) {
   if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
   const std::string text = block(
       "[probe]\nkind = \"line\"\nfrom = [0, 0.3]\nto = [1.2, 0.3]\n"

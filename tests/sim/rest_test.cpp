@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What starts at rest: the density inside of it, the pressure below it, the weight on its floor.
+// Fluid that starts at rest: its density, its hydrostatic pressure, the weight on its floor.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Still{3, "wcsph", "wendland_c4"}, Still{3, "wcsph", "wendland_c6"},
                       Still{2, "delta_sph", "wendland_c2"}, Still{3, "delta_sph", "cubic_spline"}));
 
-/// A tank 1 m wide, filled 0.5 m high, over a floor that holds its weight from the start.
+/// A tank 1 m wide, with 0.5 m of water under hydrostatic pressure.
 std::string tank(const char* solver, const std::string& walls, double viscosity) {
   return "[domain]\nmax = [1.0, 1.0]\n[particles]\nspacing = 0.05\n[fluid]\nmin = [0, 0]\n"
          "max = [1.0, 0.5]\npressure = \"hydrostatic\"\n[walls]\n" +
@@ -67,7 +67,8 @@ std::string tank(const char* solver, const std::string& walls, double viscosity)
          "\n[time]\nend = 3.0\nstep = 0.0004\n";
 }
 
-// Tait's equation below a depth s of material: rho = rho0 (1 + 7 g s/c^2)^(1/7), p = rho0 g s.
+// Tait's equation below a column of initial depth s:
+// rho = rho0 (1 + 7 g s/c²)^(1/7), p = rho0 g s.
 TEST(Hydrostatic, StartsWithThePressureOfItsDepth) {
   Simulation sim =
       simulation_of(tank("delta_sph", "method = \"ghost\"\nslip = \"free_slip\"\n", 0.05));
@@ -75,7 +76,7 @@ TEST(Hydrostatic, StartsWithThePressureOfItsDepth) {
   const ParticleView f = sim.fluid();
   const double c2 = 1600, B = 1000 * c2 / 7;
   for (std::size_t i = 0; i < f.size(); ++i) {
-    const double depth = 0.5 - double(f.x[2 * i + 1]);  // the fluid has sunk by less than 0.1 mm
+    const double depth = 0.5 - double(f.x[2 * i + 1]);  // it has sunk by less than 0.1 mm
     const double rho = double(f.density[i]);
     EXPECT_NEAR(std::pow(1 + 7 * 9.81 * depth / c2, 1.0 / 7), rho / 1000, 0.01);
     if (depth > 0.1) {

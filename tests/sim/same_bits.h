@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// One harness for "the same bits": the cpu backend against the reference, on every instruction set
-/// and on several numbers of threads, and runs that are restored from a checkpoint.
+/// Tests for equal bits: the cpu backend against the reference backend, with every instruction set
+/// and several numbers of threads; and runs that are restored from a checkpoint.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -14,14 +14,14 @@
 
 namespace freshet::test {
 
-/// Everything that a simulation reports.
+/// Digests and results of a simulation.
 struct Outcome {
   std::string state, kept;
   double time = 0;
-  std::vector<Vector> forces;       ///< on walls
+  std::vector<Vector> forces;       ///< forces on walls
   std::vector<double> bodies;       ///< positions, orientations, velocities, loads
   std::vector<std::int64_t> flows;  ///< counts, waiting particles, rates in 1e-9
-  std::vector<std::int64_t> steps;  ///< retried ones, and the iterations of the last solves
+  std::vector<std::int64_t> steps;  ///< number of retried steps, and the iterations of each solve
 };
 
 inline Outcome outcome_of(Simulation& sim) {
@@ -51,7 +51,7 @@ inline void expect_equal(const Outcome& a, const Outcome& b, const std::string& 
   EXPECT_EQ(a.steps, b.steps) << what;
 }
 
-/// Runs a scene on the reference and on the cpu backend, and expects the same. `after_step` is
+/// Runs a scene on the reference and on the cpu backend and expects equal outcomes. `after_step` is
 /// called after each step. Returns the outcome.
 inline Outcome expect_same_bits(const std::string& scene, int steps,
                                 const std::function<void(Simulation&)>& after_step = {}) {
@@ -71,9 +71,9 @@ inline Outcome expect_same_bits(const std::string& scene, int steps,
   return reference;
 }
 
-/// Takes a checkpoint after `before` steps, through the bytes of a file, and restores it into a
-/// fresh simulation on other threads and into the one that went on: after `more` steps both must
-/// be what the run was that was not interrupted.
+/// Takes a checkpoint after `before` steps, through the bytes of a file. Restores it into a fresh
+/// simulation with another number of threads, and into the first one, which has continued. After
+/// `more` steps both must equal the uninterrupted run.
 inline void expect_same_bits_after_restart(const std::string& scene, int before, int more) {
   const auto step = [](Simulation& sim, int steps) {
     for (int k = 0; k < steps; ++k) sim.step();

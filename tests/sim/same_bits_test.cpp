@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every solver with every kernel, integrator and kind of wall, in 2D and 3D: the cpu backend has
-// the reference's bits on every instruction set and on any number of threads, wall forces included.
+// The cpu backend has the reference backend's bits, forces on walls included: solvers, kernels,
+// integrators and wall methods in 2D and 3D, with every instruction set and several numbers of
+// threads.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,12 +19,12 @@ constexpr const char* pushed =
 struct Words {
   int dimension;
   const char* solver;  ///< keys of [solver]
-  const char* walls;   ///< keys of [domain] and tables that make the walls
+  const char* walls;   ///< keys of [domain], and tables of walls
   const char* integrator;
   const char* step = "0.0005";
 };
 
-/// A column that falls apart in the corner of a box, stirred so that it meets every wall.
+/// A block of fluid that nearly fills a box and moves, so that it touches the walls.
 std::string scene_of(const Words& w) {
   const bool flat = w.dimension == 2;
   std::string text = "[domain]\n";
@@ -69,7 +70,7 @@ TEST_P(SameBits, AsTheReference) {
   const std::string walls = GetParam().walls;
   const bool wall_less =
       walls.find("xy") != std::string::npos || walls.find("open") != std::string::npos;
-  EXPECT_EQ(wall_less, !(pushed > 0)) << "the fluid meets its walls";
+  EXPECT_EQ(wall_less, !(pushed > 0)) << "walls must bear a force if there are any";
 }
 
 TEST_P(SameBits, AfterARestart) { expect_same_bits_after_restart(scene_of(GetParam()), 12, 13); }
@@ -107,7 +108,7 @@ constexpr const char* iisph_c2 = "name = \"iisph\"\nkernel = \"wendland_c2\"";
 constexpr const char* dfsph = "name = \"dfsph\"";
 constexpr const char* dfsph_c6 =
     "name = \"dfsph\"\nkernel = \"wendland_c6\"\niteration = \"jacobi\"";
-constexpr const char* dfsph_hasty = "name = \"dfsph\"\nmax_iterations = 3";  // halves its steps
+constexpr const char* dfsph_hasty = "name = \"dfsph\"\nmax_iterations = 3";  // its steps are halved
 constexpr const char* pbf = "name = \"pbf\"";
 constexpr const char* adaptive = "\"adaptive\"\nstep_max = 0.001";
 
@@ -156,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(Pushed, SameBits,
                                            Words{2, iisph, pushed, "", adaptive},
                                            Words{2, dfsph_hasty, pushed, "", "0.004"}));
 
-// Everything that acts beside pressure, at once.
+// All forces besides pressure at once.
 #define FRESHET_ALL_FORCES                                                                \
   "vorticity_method = \"bender2017\"\nvorticity_transfer = 0.05\n[air]\ndensity = 20.0\n" \
   "drag = \"gissler2017\"\nvelocity = "
@@ -187,7 +188,7 @@ constexpr const char* pbf_forces =
     "name = \"pbf\"\nviscosity_method = \"morris1997\"\n" FRESHET_AKINCI FRESHET_ALL_FORCES
     "[-9.0, 3.0]\n";
 
-// Shifted, and between a wall that slides and its images beyond periodic ends.
+// Particle shifting, and a moving wall with images beyond periodic ends.
 constexpr const char* delta_shifts =
     "name = \"delta_sph\"\nsound_speed = 30.0\nbackground_pressure = 2000.0\n"
     "shifting_method = \"sun2017\"\nviscosity_method = \"morris1997\"";
@@ -232,7 +233,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Words{3, wcsph_forces_3d, adami, "symplectic_euler"},
                       Words{3, dfsph_forces_3d, akinci, "", adaptive}));
 
-// A drop a thousand domains away costs neither memory nor bits.
+// The scene has a drop about a thousand domain widths away.
 TEST(FarFlung, HasTheReferencesBits) {
   for (const char* solver : {wcsph_cubic, antuono_c2})
     for (const int dimension : {2, 3}) {
@@ -243,7 +244,7 @@ TEST(FarFlung, HasTheReferencesBits) {
       drop.min = flat ? Vector{1000, -700} : Vector{600, -420, 500};
       drop.max = drop.min;
       for (double& x : drop.max) x += 0.2;
-      drop.outside = Outside::clamp;  // outside is no error; open walls leave it there
+      drop.outside = Outside::clamp;  // not an error; open walls do not move it
       scene.fluid.push_back(drop);
       const auto state = [&](BackendName backend, int threads) {
         scene.solver.backend = backend;

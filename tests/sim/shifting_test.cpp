@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vortices without a surface, whose pressures below zero pull particles into strings unless they
-// are shifted; and what shifting leaves as it is.
+// Particle shifting. In vortices without a free surface, negative pressure pulls particles into
+// strings unless they are shifted. Lattices, momentum and free surfaces must stay.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// How fast the energy of Taylor and Green's vortices at Re = 100 falls, over 16 pi^2/Re.
+/// The decay rate of the energy of Taylor-Green vortices at Re = 100, relative to 16 pi²/Re.
 double decay_over_exact(const std::string& more) {
   Simulation sim = simulation_of(
       "[domain]\nmax = [1, 1]\ngravity = [0, 0]\nperiodic = \"xy\"\n[particles]\n"
@@ -36,24 +36,24 @@ double decay_over_exact(const std::string& more) {
   return rate / (16 * pi * pi / 100);
 }
 
-TEST(Sun2017, LetsVorticesTurn) {
+TEST(Sun2017, KeepsTheDecayRateOfVortices) {
   if (!compiled("delta_sph")) GTEST_SKIP() << "not compiled in this build";
-  EXPECT_LT(decay_over_exact("shifting_method = \"sun2017\"\n"), 1.2);  // 1.17 at 40 a side
-  EXPECT_GT(decay_over_exact(""), 1.3) << "not the particles' own merit";
+  EXPECT_LT(decay_over_exact("shifting_method = \"sun2017\"\n"), 1.2);  // measured: 1.17
+  EXPECT_GT(decay_over_exact(""), 1.3) << "without shifting, the decay must be too fast";
 }
-TEST(Lind2012, LetsVorticesTurn) {
+TEST(Lind2012, KeepsTheDecayRateOfVortices) {
   if (!compiled("delta_sph")) GTEST_SKIP() << "not compiled in this build";
   const double ratio = decay_over_exact("shifting_method = \"lind2012\"\n");
   EXPECT_NEAR(ratio, 0.993, 0.01);
 }
-TEST(Adami2013, LetsVorticesTurn) {
+TEST(Adami2013, KeepsTheDecayRateOfVortices) {
   if (!compiled("delta_sph")) GTEST_SKIP() << "not compiled in this build";
-  EXPECT_LT(decay_over_exact("shifting_method = \"adami2013\"\n"), 1.25);  // 1.21
+  EXPECT_LT(decay_over_exact("shifting_method = \"adami2013\"\n"), 1.25);  // measured: 1.21
 }
 
 constexpr const char* methods[] = {"lind2012", "adami2013", "sun2017"};
 
-/// Particles everywhere in a box that repeats, up to `jitter` off their lattice.
+/// A periodic box full of particles, each displaced from its lattice place by up to `jitter`.
 Simulation everywhere(const std::string& solver, const std::string& method, double jitter,
                       bool flat = true) {
   return simulation_of(
@@ -70,7 +70,7 @@ Simulation everywhere(const std::string& solver, const std::string& method, doub
       "[time]\nend = 100\nstep = 5e-4\n[checks]\nwhen_wrong = \"warn\"\n");
 }
 
-/// By id: a search may sort them.
+/// Positions by id, since a search may sort the particles.
 std::vector<Real> places(const Simulation& sim) {
   const ParticleView f = sim.fluid();
   const auto D = std::size_t(f.dimension);
@@ -86,7 +86,7 @@ double farthest(const std::vector<Real>& from, const std::vector<Real>& to) {
   return most;
 }
 
-/// The standard deviation of sum_j W_ij over its mean: how unevenly particles are spread. In 2D.
+/// The standard deviation of sum_j W_ij over its mean, in 2D: a measure of disorder.
 double unevenness(const Simulation& sim) {
   const ParticleView f = sim.fluid();
   const double h = 0.15;
@@ -110,7 +110,7 @@ double unevenness(const Simulation& sim) {
   return std::sqrt(std::max(sum2 / n - mean * mean, 0.0)) / mean;
 }
 
-TEST(Shifting, LeavesALatticeAtRest) {
+TEST(Shifting, KeepsALatticeAtRest) {
   for (const std::string solver : {"delta_sph", "wcsph", "iisph"})
     for (const std::string method : methods)
       for (const bool flat : {true, false}) {
@@ -122,8 +122,8 @@ TEST(Shifting, LeavesALatticeAtRest) {
       }
 }
 
-// A stream of particles in disorder gets even, and does not where nothing shifts.
-TEST(Shifting, SpreadsAStirredLattice) {
+// A stream of disordered particles evens out with shifting, and does not without.
+TEST(Shifting, EvensOutADisorderedLattice) {
   if (!compiled("delta_sph")) GTEST_SKIP() << "not compiled in this build";
   const auto after = [](const std::string& method) {
     Simulation sim = everywhere("delta_sph", method, 0.01);
@@ -132,13 +132,14 @@ TEST(Shifting, SpreadsAStirredLattice) {
     while (sim.time() < 0.1) sim.step();
     return unevenness(sim) / before;
   };
-  // 0.09, 0.05 and 0.07
+  // measured: 0.09, 0.05 and 0.07
   for (const std::string method : methods) EXPECT_LT(after(method), 0.1) << method;
   EXPECT_GT(after("none"), 0.9);
 }
 
-// What the flow loses to particles that leave it, others gain; the other methods lose some.
-TEST(Adami2013, KeepsMomentum) {
+// adami2013 exchanges the momentum that shifting carries in pairs; the other methods lose some of
+// it.
+TEST(Adami2013, ConservesMomentum) {
   if (!compiled("delta_sph")) GTEST_SKIP() << "not compiled in this build";
   const auto change = [](const std::string& method) {
     Simulation sim = everywhere("delta_sph", method, 0.01);
@@ -158,8 +159,8 @@ TEST(Adami2013, KeepsMomentum) {
   EXPECT_GT(change("lind2012"), 1e-5);
 }
 
-// Water that stands in a box: its surface stays where it is, and so does the water below.
-TEST(Shifting, LeavesASurfaceAtItsPlace) {
+// Still water in a box: mean height and surface must not move.
+TEST(Shifting, KeepsTheSurfaceInPlace) {
   for (const std::string solver : {"delta_sph", "dfsph"})
     for (const std::string method : methods) {
       if (!compiled(solver)) continue;
@@ -177,7 +178,7 @@ TEST(Shifting, LeavesASurfaceAtItsPlace) {
       double top = 0;
       for (std::size_t i = 0; i < sim.fluid().size(); ++i)
         top = std::max(top, double(sim.fluid().x[2 * i + 1]));
-      // 1.1 %
+      // measured: 1.1 %
       EXPECT_NEAR(height, 0.15, 0.02 * 0.15) << solver << ", " << method;
       EXPECT_LT(top, 0.32) << solver << ", " << method;
     }

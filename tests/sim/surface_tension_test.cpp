@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What surface tension does to weightless drops: Laplace's pressure, the frequency at which a drop
-// rings, and nothing to its momentum.
+// Surface tension of drops without gravity: Laplace pressure, shape and momentum.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -20,7 +19,7 @@ struct Drop {
   double sigma = 0.05, viscosity = 0.1;
 };
 
-/// A drop, `spacings` in radius, in the middle of nothing.
+/// A drop with a radius of `spacings` in empty space.
 Simulation drop_of(const Drop& d, double spacings, double step) {
   const double length = spacing * (2 * spacings + 10);
   const auto vector = [&](double x) {
@@ -40,8 +39,8 @@ Simulation drop_of(const Drop& d, double spacings, double step) {
       weakly ? "sound_speed = 3.0\nviscosity_method = \"monaghan2005\"" : "xsph = 0", step));
 }
 
-// What moves apart from all else is kept, also where the particles meet nobody.
-TEST(Akinci2013, KeepsMomentum) {
+// Pair forces conserve the momentum of a drop that shears in empty space.
+TEST(Akinci2013, ConservesMomentum) {
   for (const char* solver : {"wcsph", "dfsph"}) {
     if (!compiled(solver)) continue;
     Simulation sim = drop_of({2, solver, "akinci2013"}, 8, 2e-4);
@@ -57,10 +56,10 @@ TEST(Akinci2013, KeepsMomentum) {
   }
 }
 
-// A square becomes round: its second moments stay alike, its corners come in.
+// The fourth angular moment of a square falls to less than a quarter.
 TEST(Akinci2013, MakesASquareRound) {
   if (!compiled("wcsph")) GTEST_SKIP() << "not compiled in this build";
-  const auto fourth = [](const Simulation& sim) {  // <r^4 cos(4 phi)>/<r^4>: 0 of what is round
+  const auto fourth = [](const Simulation& sim) {  // <r^4 cos(4 phi)>/<r^4>: 0 for a disc
     const ParticleView f = sim.fluid();
     double x0 = 0, y0 = 0, sum = 0, all = 0;
     for (std::size_t i = 0; i < f.size(); ++i) {
@@ -87,7 +86,6 @@ TEST(Akinci2013, MakesASquareRound) {
   EXPECT_GT(fourth(sim), 0.25 * before);
 }
 
-// A drop of water in 3D keeps its particles.
 TEST(Akinci2013, HoldsADropTogetherIn3D) {
   if (!compiled("dfsph")) GTEST_SKIP() << "not compiled in this build";
   Simulation sim = drop_of({3, "dfsph", "akinci2013", 0.0728, 0.001}, 6, 2e-4);
@@ -102,7 +100,7 @@ TEST(Akinci2013, HoldsADropTogetherIn3D) {
   EXPECT_LT(farthest, 8 * spacing);
 }
 
-/// The mean of the pressure within half the radius of a drop, over what Laplace says.
+/// Mean pressure within half the radius of a drop, relative to the Laplace pressure.
 double laplace(const Drop& d, double spacings, int steps) {
   Simulation sim = drop_of(d, spacings, 2e-4);
   const auto D = std::size_t(d.dimension);
@@ -123,8 +121,8 @@ double laplace(const Drop& d, double spacings, int steps) {
   return sum / count / (double(D - 1) * d.sigma / (spacing * spacings));
 }
 
-// A support of 3 spacings: a quarter of the 2D drop's radius, nearly half of the 3D drop's.
-TEST(Morris2000, HasThePressureOfLaplace) {
+// The support radius of 3 spacings is a quarter of the 2D drop's radius and 3/7 of the 3D drop's.
+TEST(Morris2000, GivesTheLaplacePressure) {
   for (const char* solver : {"wcsph", "delta_sph", "iisph"}) {
     if (!compiled(solver)) continue;
     EXPECT_NEAR(1, laplace({2, solver, "morris2000", 0.05, 0.02}, 12, 4000), 0.1) << solver;
@@ -135,8 +133,8 @@ TEST(Morris2000, HasThePressureOfLaplace) {
   }
 }
 
-// Nothing holds it, and nothing sets it moving.
-TEST(Morris2000, LeavesADropWhereItIs) {
+// A free drop must not start to move.
+TEST(Morris2000, DoesNotMoveADrop) {
   for (const char* solver : {"wcsph", "dfsph"}) {
     if (!compiled(solver)) continue;
     Simulation sim = drop_of({2, solver, "morris2000", 0.05, 0.02}, 8, 2e-4);
@@ -149,9 +147,9 @@ TEST(Morris2000, LeavesADropWhereItIs) {
   }
 }
 
-// Water between two walls, as high as they are apart: its surface is flat and stays so, because
-// the angle of contact is 90°.
-TEST(Morris2000, MeetsWallsAtARightAngle) {
+// Water between two walls, as high as they are apart. The contact angle is 90°, so the surface
+// stays flat.
+TEST(Morris2000, KeepsAContactAngleOf90Degrees) {
   for (const char* method : {"akinci2012", "ghost"}) {
     if (!compiled("dfsph")) continue;
     Simulation sim = simulation_of(fmt::format(
@@ -174,8 +172,9 @@ TEST(Morris2000, MeetsWallsAtARightAngle) {
   }
 }
 
-// Capillary waves no longer than the support have to be told in time.
-TEST(Akinci2013, BoundsTheStep) {
+// The time step must resolve capillary waves of the length of half the support radius, here a
+// spacing.
+TEST(Akinci2013, LimitsTheTimeStep) {
   if (!compiled("wcsph")) GTEST_SKIP() << "not compiled in this build";
   Simulation sim = drop_of({2, "wcsph", "akinci2013"}, 5, 1e-4);
   sim.step();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What viscosity does to flows in closed form: shear waves that decay as exp(-nu k^2 t), steps
-// beyond the bound of explicit viscosity, walls that hold what touches them.
+// Viscosity against closed forms: shear waves that decay as exp(-nu k² t), steps beyond the limit
+// of explicit viscosity, and no-slip walls.
 #include <gtest/gtest.h>
 
 #include "sim/forced.h"
@@ -39,8 +39,8 @@ std::string wave_scene(const Wave& w, int across, double viscosity, double step,
   return text;
 }
 
-/// The rate at which a wave of 1 mm/s decays, over nu k^2: along an axis (across the lattice's
-/// rows) or along a diagonal. The particles hardly move.
+/// The decay rate of a wave of 1 mm/s relative to nu k², with the wave vector along an axis or
+/// along a diagonal of the lattice. The particles hardly move.
 double decay_over_exact(const Wave& w, bool diagonal, int across, double viscosity, double step,
                         int steps) {
   Simulation sim = simulation_of(wave_scene(w, across, viscosity, step));
@@ -66,10 +66,11 @@ double decay_over_exact(const Wave& w, bool diagonal, int across, double viscosi
 
 class ShearWave : public ::testing::TestWithParam<Wave> {};
 
-// On a lattice the terms along the line of each pair see shear across the rows and along the
-// diagonals unlike: 0.657 and 1.349 of it in 2D. What fluid in disorder sees is the mean over all
-// directions: of both in 2D, three to two of a cubic lattice in 3D [Voigt 1928, of its moduli].
-TEST_P(ShearWave, DecaysByTheViscosity) {
+// On a lattice, terms along the line of each pair give different viscosities across the rows and
+// along the diagonals: 0.657 and 1.349 times the nominal one in 2D. Disordered fluid has the mean
+// over all directions. Its weights are 1:1 in 2D, and 3:2 for a cubic lattice in 3D, as for elastic
+// moduli [Voigt 1928].
+TEST_P(ShearWave, DecaysAtTheRateOfTheViscosity) {
   const Wave w = GetParam();
   if (!compiled(w.solver)) GTEST_SKIP() << "not compiled in this build";
   const int across = w.dimension == 2 ? 40 : 20;
@@ -96,8 +97,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 class Implicit : public ::testing::TestWithParam<const char*> {};
 
-// A step a thousand times the bound of explicit viscosity: the wave is gone, nothing has grown, and
-// the momentum is what it was.
+// A step of a thousand times the explicit limit: the waves decay, the energy never grows, and the
+// momentum is conserved.
 TEST_P(Implicit, IsStableFarBeyondTheExplicitBound) {
   const std::string name = GetParam();
   const std::string solver = name.substr(0, name.find(' '));
@@ -124,7 +125,8 @@ TEST_P(Implicit, IsStableFarBeyondTheExplicitBound) {
   const Statistics end = sim.statistics();
   EXPECT_NEAR(1, end.momentum[0] / momentum, 1e-4);
   EXPECT_NEAR(0, end.momentum[1] / momentum, 1e-4);
-  EXPECT_NEAR(0.5 * 1000 * 0.01 * 0.01, end.kinetic_energy, 0.01 * energy) << "moves as one";
+  EXPECT_NEAR(0.5 * 1000 * 0.01 * 0.01, end.kinetic_energy, 0.01 * energy)
+      << "energy of the mean velocity";
   EXPECT_EQ("viscosity", sim.solves().back().name);
   EXPECT_EQ(0, sim.solves().back().not_converged);
   EXPECT_EQ(20, sim.solves().back().solves);
@@ -133,11 +135,11 @@ INSTANTIATE_TEST_SUITE_P(Solvers, Implicit,
                          ::testing::Values("wcsph", "wcsph leapfrog", "wcsph verlet",
                                            "delta_sph leapfrog", "dfsph", "pbf"));
 
-/// A channel between two plates 1 m apart, driven along x; its mean speed once it is steady, over
-/// F/(12 nu).
+/// Mean speed of the steady flow between two plates 1 m apart, driven along x, relative to F/(12
+/// nu).
 double channel_over_exact(const std::string& solver, const std::string& method,
                           const std::string& walls, double step) {
-  const double force = 0.08, nu = 0.1;  // the middle comes to 0.1 m/s
+  const double force = 0.08, nu = 0.1;  // the maximum speed is 0.1 m/s
   Simulation sim = simulation_of(
       "[domain]\nmax = [0.5, 1.0]\ngravity = [" + std::to_string(force) +
       ", 0]\nperiodic = \"x\"\n[walls]\nmethod = \"" + walls +
@@ -161,15 +163,14 @@ void PrintTo(const Channel& c, std::ostream* out) {
 }
 class NoSlip : public ::testing::TestWithParam<Channel> {};
 
-// Poiseuille's flow: F/(12 nu) on average.
-TEST_P(NoSlip, HoldsTheFlowOfAChannel) {
+// The mean speed of Poiseuille flow is F/(12 nu).
+TEST_P(NoSlip, GivesPoiseuilleFlow) {
   const Channel c = GetParam();
   if (!compiled(c.solver)) GTEST_SKIP() << "not compiled in this build";
   EXPECT_NEAR(1, channel_over_exact(c.solver, c.method, c.walls, c.step), 0.1);
 }
-// A plate that slides takes the liquid along: half as fast on average, and all across the
-// periodic end alike.
-TEST(Belt, DrivesCouettesFlow) {
+// A moving plate drives the liquid: the speed is linear in y, and its mean is half the plate's.
+TEST(Belt, DrivesCouetteFlow) {
   if (!compiled("wcsph")) GTEST_SKIP() << "not compiled in this build";
   Simulation sim = simulation_of(
       "[domain]\nmax = [0.5, 1.0]\ngravity = [0, 0]\nperiodic = \"x\"\n[walls]\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A micropolar fluid: what it conserves, and what it keeps alive.
+// A micropolar fluid: momentum, eddies and spin.
 #include <gtest/gtest.h>
 
 #include "sim/forced.h"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr double two_pi = 6.283185307179586;
 
-/// Taylor and Green's vortices in a periodic box, with or without spin.
+/// Taylor-Green vortices in a periodic box, with or without spin.
 Simulation vortices(const std::string& solver, bool spins) {
   Simulation sim = simulation_of(
       "[domain]\nmax = [1, 1]\ngravity = [0, 0]\nperiodic = \"xy\"\n[particles]\nspacing = 0.025\n"
@@ -31,7 +31,7 @@ Simulation vortices(const std::string& solver, bool spins) {
 
 class Micropolar : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(Micropolar, KeepsMomentumAndEddies) {
+TEST_P(Micropolar, ConservesMomentumAndPreservesEddies) {
   const std::string solver = GetParam();
   if (!compiled(solver)) GTEST_SKIP() << "not compiled in this build";
   Simulation plain = vortices(solver, false), spinning = vortices(solver, true);
@@ -48,12 +48,12 @@ TEST_P(Micropolar, KeepsMomentumAndEddies) {
     return s.kinetic_energy -
            (s.momentum[0] * s.momentum[0] + s.momentum[1] * s.momentum[1]) / 2000;
   };
-  EXPECT_GT(eddies(b), 1.1 * eddies(a)) << "half of the viscosity is left: 1.17";
+  EXPECT_GT(eddies(b), 1.1 * eddies(a)) << "measured: 1.17, as with half of the viscosity";
   EXPECT_LT(eddies(b), eddies(before));
 }
 INSTANTIATE_TEST_SUITE_P(Solvers, Micropolar, ::testing::Values("wcsph", "delta_sph"));
 
-// Rigid rotation turns the particles at its own rate, and what does not move is not turned.
+// The spin must equal the angular velocity of a rigid rotation, and 0 in a fluid at rest.
 TEST(MicropolarSpin, FollowsARigidRotation) {
   if (!compiled("wcsph")) GTEST_SKIP() << "not compiled in this build";
   for (const double omega : {0.0, 2.0}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What probes of walls tell, beside the forces on whole walls and beside hydrostatics.
+// Wall probes against the forces on whole walls and against hydrostatics.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -50,7 +50,7 @@ class WallProbes : public ::testing::TestWithParam<Water> {
   }
 };
 
-TEST_P(WallProbes, TellThePressureOfStillWater) {
+TEST_P(WallProbes, MeasureHydrostaticPressure) {
   Simulation sim = simulation_of(tank(GetParam(), stretch(0.05, 0.15) + stretch(0.2, 0.35)));
   double low = 0, high = 0;
   int counted = 0;
@@ -73,7 +73,7 @@ TEST_P(WallProbes, AddUpToTheForceOnTheWall) {
   const auto told = look(sim);
   const double all = 0.8 * told[3][1];
   EXPECT_NEAR(all, 0.07 * told[0][1] + 0.24 * told[1][1] + 0.49 * told[2][1], 1e-6 * all);
-  EXPECT_NEAR(1, all / sim.wall_forces()[1][0], 0.08) << "all but the corner's, below the floor";
+  EXPECT_NEAR(1, all / sim.wall_forces()[1][0], 0.08) << "the wall includes the corner";
 }
 
 INSTANTIATE_TEST_SUITE_P(Solvers, WallProbes,
@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(Solvers, WallProbes,
                                            Water{"dfsph", "akinci2012"},
                                            Water{"iisph", "akinci2012"}));
 
-TEST(WallProbe, TellsTheSameWhateverTheThreads) {
+TEST(WallProbe, HasTheSameBitsOnAnyThreadsAndBackend) {
   const auto told = [](const char* backend, int threads) {
     Simulation sim =
         simulation_of(tank({"dfsph", "akinci2012"}, stretch(0.07, 0.31)), backend, {threads, ""});
@@ -95,7 +95,7 @@ TEST(WallProbe, TellsTheSameWhateverTheThreads) {
   EXPECT_EQ(one, told("reference", 1));
 }
 
-TEST(WallProbe, LeavesTheSimulationAsItIs) {
+TEST(WallProbe, DoesNotChangeTheSimulation) {
   const auto sum = [](bool asked) {
     Simulation sim = simulation_of(tank({"delta_sph", "adami2012"}, stretch(0.07, 0.31)));
     for (int k = 0; k < 20; ++k) {
@@ -107,7 +107,7 @@ TEST(WallProbe, LeavesTheSimulationAsItIs) {
   EXPECT_EQ(sum(false), sum(true));
 }
 
-TEST(WallProbe, IsCarriedByABody) {
+TEST(WallProbe, PatchMovesWithABody) {
   const Simulation sim = simulation_of(
       "[domain]\nmax = [2.0, 2.0]\n[particles]\nspacing = 0.05\n[fluid]\nmin = [0, 0]\nmax = [2, "
       "0.3]\n[[body]]\nname = \"plate\"\nmin = [0.8, 0.9]\nmax = [1.2, 1.1]\nmotion = "
@@ -115,18 +115,18 @@ TEST(WallProbe, IsCarriedByABody) {
       "\"plate\"\n[solver]\nname = \"dfsph\"\n[time]\nend = 1\nstep = 1e-3\n");
   BodyState quarter;
   quarter.position = {1.5, 0.5, 0};
-  quarter.orientation = {0, 0, std::sqrt(0.5), std::sqrt(0.5)};  // about z
+  quarter.orientation = {0, 0, std::sqrt(0.5), std::sqrt(0.5)};  // a quarter turn about z
   const auto patches = ProbePlaces(sim.scene()).patches({quarter});
   ASSERT_EQ(1u, patches.size());
   EXPECT_NEAR(1.5, patches[0].center[0], 1e-12);
   EXPECT_NEAR(0.7, patches[0].center[1], 1e-12);
-  EXPECT_NEAR(1, patches[0].axes[0][1], 1e-12) << "what was x is y";
+  EXPECT_NEAR(1, patches[0].axes[0][1], 1e-12) << "the x axis must have become the y axis";
   EXPECT_NEAR(-1, patches[0].axes[1][0], 1e-12);
   EXPECT_NEAR(0.1, patches[0].half[1], 1e-12);
   EXPECT_EQ(0, patches[0].half[0]);
 }
 
-TEST(WallProbe, WarnsOfAPieceWithoutAWall) {
+TEST(WallProbe, WarnsIfThereIsNoWall) {
   const auto warnings = [](const char* place) {
     const std::string probe = std::string("[[probe]]\nkind = \"wall\"\nfrom = [") + place +
                               ", 0.1]\nto = [" + place + ", 0.2]\n";
@@ -137,13 +137,13 @@ TEST(WallProbe, WarnsOfAPieceWithoutAWall) {
   EXPECT_NE(std::string::npos, warnings("0.5")[0].message.find("no sample of a wall"));
 }
 
-TEST(WallProbe, RefusesAPatchOfAnotherDimension) {
+TEST(WallProbe, RejectsAPatchOfAnotherDimension) {
   Simulation sim = simulation_of(tank({"dfsph", "akinci2012"}, ""));
   EXPECT_THROW(sim.tractions({{{1, 0.2}, {0, 0.1}, {{1, 0, 0}, {0, 1, 0}}}}), Error);
   EXPECT_THROW(sim.tractions({{{1, 0.2, 0}, {0, 0.1, 0}, {{1, 0}, {0, 1}}}}), Error);
 }
 
-TEST(WallProbe, TellsThePressureIn3D) {
+TEST(WallProbe, MeasuresHydrostaticPressureIn3D) {
   Simulation sim = simulation_of(
       "[domain]\nmax = [0.6, 0.6, 0.6]\n[particles]\nspacing = 0.05\n[fluid]\nmin = [0, 0, "
       "0]\nmax = [0.6, 0.4, 0.6]\npressure = \"hydrostatic\"\n[[probe]]\nkind = \"wall\"\nfrom = "

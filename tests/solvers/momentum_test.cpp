@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pair forces are equal and opposite: what nothing holds keeps its momentum.
+// Pair forces are equal and opposite, so a free patch of fluid conserves its momentum.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -20,7 +20,7 @@ template <int D, class Set> Vec<D, double> momentum(const Set& f, double m) {
   return sum;
 }
 
-/// The change of momentum over all that moved and pushed: sum m|v| + sum over steps dt sum m|a|.
+/// The change of momentum relative to sum m|v| + sum over steps of dt sum m|a|.
 template <int D, class Solver> double drift(Solver solver) {
   const double dt = 2e-4;
   const double m = double(solver.c.m);
@@ -47,7 +47,7 @@ template <int d> struct Dimension { static constexpr int D = d; };
 using Dimensions = ::testing::Types<Dimension<2>, Dimension<3>>;
 TYPED_TEST_SUITE(Momentum, Dimensions);
 
-TYPED_TEST(Momentum, IsKeptByMueller2003) {
+TYPED_TEST(Momentum, IsConservedByMueller2003) {
   constexpr int D = TypeParam::D;
   using Solver = Mueller2003<D, ReferenceBackend<D>>;
   for (const auto integrator :
@@ -55,14 +55,14 @@ TYPED_TEST(Momentum, IsKeptByMueller2003) {
     EXPECT_LT((drift<D>(Solver{mueller2003_patch<D>(integrator)})), 1e-6);
 }
 
-TYPED_TEST(Momentum, IsKeptByWcsph) {
+TYPED_TEST(Momentum, IsConservedByWcsph) {
   constexpr int D = TypeParam::D;
   using Solver = Wcsph<D, ReferenceBackend<D>, CubicSpline>;
   const auto c = weakly_compressible_patch<D>(Integrator::symplectic_euler);
   EXPECT_LT((drift<D>(Solver{c, CubicSpline<D>(c.support)})), 1e-6);
 }
 
-TYPED_TEST(Momentum, IsKeptByDeltaSph) {
+TYPED_TEST(Momentum, IsConservedByDeltaSph) {
   constexpr int D = TypeParam::D;
   using Solver = DeltaSph<D, ReferenceBackend<D>, WendlandC2>;
   auto c = weakly_compressible_patch<D>(Integrator::leapfrog);

@@ -11,9 +11,9 @@
 
 namespace freshet {
 
-/// A small square (a cube) of fluid that nothing holds: no gravity, and no wall within reach. It
-/// starts stirred and squeezed, under pressure everywhere: tension would pull particles into each
-/// other, and such an encounter hides the order of an integrator.
+/// A small square (2D) or cube (3D) of free fluid: no gravity, no walls. It starts deformed and
+/// compressed, with positive pressure everywhere. Negative pressure would make particles clump,
+/// which hides the order of an integrator.
 template <int D, class Solver, int side = D == 2 ? 12 : 7> struct Patch {
   static constexpr Real spacing = Real(0.1);
 
@@ -57,14 +57,14 @@ template <int D, class Solver, int side = D == 2 ? 12 : 7> struct Patch {
   Solver solver_;
 };
 
-/// One liquid, without viscosity of its own.
+/// A single liquid, without a viscosity of its own.
 inline Liquids one_liquid() {
   Liquids all{};
   for (Liquid& liquid : all.liquid) liquid.lightness = 1;
   return all;
 }
 
-/// Of the paper's scheme, in units in which a resting particle's density is 1.
+/// Parameters of the paper's scheme, in units where the density of a particle at rest is 1.
 template <int D> Mueller2003Parameters<D> mueller2003_patch(Integrator integrator) {
   const Real spacing = Real(0.1), speed_of_sound = 10;
   Mueller2003Parameters<D> c{};
@@ -80,7 +80,7 @@ template <int D> Mueller2003Parameters<D> mueller2003_patch(Integrator integrato
   return c;
 }
 
-/// The same of the weakly compressible solvers.
+/// Parameters of the weakly compressible solvers, in units where the density at rest is 1.
 template <int D> WeaklyCompressibleParameters<D> weakly_compressible_patch(Integrator integrator) {
   const Real spacing = Real(0.1);
   WeaklyCompressibleParameters<D> c{};

@@ -25,7 +25,7 @@ Curve sampled(double (*f)(double), double end, int count = 2001) {
   return c;
 }
 
-TEST(Statistic, KnowsLinesDecaysAndPeriods) {
+TEST(Statistic, IsExactForLinesDecaysAndPeriods) {
   const Curve line = sampled([](double x) { return 3 - 2 * x; }, 1);
   EXPECT_NEAR(-2, statistic("slope", line, ""), 1e-9);
   EXPECT_NEAR(0, statistic("scatter", line, ""), 1e-9);
@@ -44,17 +44,17 @@ TEST(Statistic, KnowsLinesDecaysAndPeriods) {
       sampled([](double x) { return std::exp(-0.4 * x) * std::pow(std::cos(9 * x), 2); }, 4, 20001);
   EXPECT_NEAR(-0.4, statistic("decay", ringing, ""), 1e-3);
   EXPECT_THROW(statistic("median", line, ""), Error);
-  EXPECT_THROW(statistic("mean", {}, ""), Error) << "nothing was measured";
+  EXPECT_THROW(statistic("mean", {}, ""), Error) << "an empty curve must be rejected";
 }
 
-TEST(Difference, IsTakenWhereBothAreKnown) {
+TEST(Difference, IsTakenWhereBothCurvesAreDefined) {
   const Curve line = sampled([](double x) { return x; }, 1);
   const Curve points{{-1, 0.5, 1, 7}, {0, 0.6, 1.2, 0}};
   EXPECT_NEAR(0.2, difference("max", line, points, points, 1.0, ""), 1e-9);
   EXPECT_NEAR(0.15, difference("mean", line, points, points, 1.0, ""), 1e-9);
   EXPECT_NEAR(std::sqrt(0.025), difference("rms", line, points, points, 1.0, ""), 1e-9);
   EXPECT_NEAR(0.1 / 0.6, difference("max", line, points, points, {}, ""), 1e-9)
-      << "without a scale it is relative to what is expected";
+      << "without a scale, the difference is relative to the expected value";
   EXPECT_THROW(difference("max", line, {{7.0}, {0.0}}, {{7.0}, {0.0}}, 1.0, ""), Error);
 }
 
@@ -87,7 +87,7 @@ TEST_F(AMeasure, ComparesWithPointsOfAFile) {
   m.ry = "Z";
   m.align = 2.05;
   m.bound = 0.05;
-  // The reference reaches 2.05 at 10.5, the run at 1.05: shifted by 9.45 it is 1.55 at 10.
+  // The reference reaches 2.05 at 10.5, the run at 1.05. Shifted by 9.45, the run is 1.55 at 10.
   const ValidationResult r = of(m);
   EXPECT_NEAR(0.05 / 2.6, r.value, 0.02);
   EXPECT_TRUE(r.passed);
@@ -95,10 +95,10 @@ TEST_F(AMeasure, ComparesWithPointsOfAFile) {
   m.bound = 1e-3;
   EXPECT_FALSE(of(m).passed);
   m.y = "height";
-  EXPECT_THROW(of(m), Error) << "there is no such column";
+  EXPECT_THROW(of(m), Error) << "a missing column must be rejected";
 }
 
-TEST_F(AMeasure, TakesAStatisticOfTheRowsThatCount) {
+TEST_F(AMeasure, TakesAStatisticOfTheSelectedRows) {
   write("depth.csv", "time [s],y [m],pressure [Pa]\n0,0,7\n0,1,7\n2,0,30\n2,1,20\n2,2,nan\n");
   ValidationMeasure m;
   m.name = "slope";
@@ -111,15 +111,15 @@ TEST_F(AMeasure, TakesAStatisticOfTheRowsThatCount) {
   const ValidationResult r = of(m);
   EXPECT_NEAR(-10, *r.measured, 1e-9);
   EXPECT_NEAR(0.25, r.value, 1e-9);
-  EXPECT_TRUE(r.passed) << "without a bound it is only told";
+  EXPECT_TRUE(r.passed) << "without a bound, a measure passes";
   m.expected = "";
-  EXPECT_NE(r.plot, of(m).plot) << "what is expected is drawn beside it";
+  EXPECT_NE(r.plot, of(m).plot) << "the plot must show the expected line";
   m.x = m.y;
-  EXPECT_TRUE(of(m).plot.empty()) << "of what is the same along both axes";
+  EXPECT_TRUE(of(m).plot.empty()) << "equal axes must give no plot";
 }
 
-// Half of the depth at 0.5 and 1.5 s, by a table that has it at 0, 1 and 2 s.
-TEST_F(AMeasure, TakesColumnsOfATableBeside) {
+// The other table has the depth at 0, 1 and 2 s; it is interpolated at 0.5 and 1.5 s.
+TEST_F(AMeasure, InterpolatesColumnsOfAnotherTable) {
   write("jet.csv", "time [s],speed [m/s]\n0.5,1\n1.5,3\n");
   write("depth.csv", "time [s],depth [m]\n0,2\n1,4\n2,8\n");
   ValidationMeasure m;
@@ -134,10 +134,10 @@ TEST_F(AMeasure, TakesColumnsOfATableBeside) {
   EXPECT_NEAR(3.0 / 6, *r.measured, 1e-9);
   EXPECT_NEAR(1, r.value, 1e-9);
   write("depth.csv", "x [m],depth [m]\n0,2\n1,4\n");
-  EXPECT_THROW(of(m), Error) << "nobody knows when that was";
+  EXPECT_THROW(of(m), Error) << "a table without time must be rejected";
 }
 
-TEST_F(AMeasure, CountsTimeFromWhatAnotherTableTells) {
+TEST_F(AMeasure, CountsTimeFromAnEventInAnotherTable) {
   write("wall.csv", "time [s],pressure [Pa]\n1,0\n2,0\n3,50\n4,60\n");
   write("gauge.csv", "time [s],distance [m]\n0.5,0\n1.5,0.1\n2.5,0.2\n");
   ValidationMeasure m;
@@ -150,7 +150,7 @@ TEST_F(AMeasure, CountsTimeFromWhatAnotherTableTells) {
   m.statistic = "min";
   EXPECT_NEAR(1.5, of(m).value, 1e-9);
   m.since_when = "distance > 1";
-  EXPECT_THROW(of(m), Error) << "it never came there";
+  EXPECT_THROW(of(m), Error) << "an event that never happens must be rejected";
 }
 
 std::string refusal(const std::string& text) {
@@ -164,7 +164,7 @@ std::string refusal(const std::string& text) {
   return "";
 }
 
-TEST(ValidationCaseFile, TellsWhatIsWrong) {
+TEST(ValidationCaseFile, RejectsInvalidFiles) {
   const std::string good =
       "title = \"t\"\nsource = \"s\"\nsolvers = [\"dfsph\"]\nspacings = [0.1]\n";
   const std::string measure = "[[measure]]\nname = \"m\"\ny = \"y\"\nstatistic = \"mean\"\n";
@@ -185,7 +185,7 @@ TEST(ValidationCaseFile, TellsWhatIsWrong) {
             refusal(good + "vary = \"fluid.radius\"\n" + measure).find("vary and values together"));
 }
 
-TEST(ValidationCaseFile, OfEveryCaseIsGood) {
+TEST(ValidationCaseFile, OfEveryCaseIsValid) {
   const auto cases = validation_cases(SOURCE_DIR "/validation");
   EXPECT_GE(cases.size(), 8u);
   if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
@@ -195,15 +195,15 @@ TEST(ValidationCaseFile, OfEveryCaseIsGood) {
       EXPECT_NO_THROW(load_scene(c.scene, overrides_of(c, solver, c.resolutions[0]))) << c.name;
     EXPECT_TRUE(std::any_of(c.measures.begin(), c.measures.end(),
                             [](const auto& m) { return m.bound || m.order; }))
-        << c.name << " shows nothing";
+        << c.name << " must have a bound or an order";
   }
 }
 
-TEST(ConvergenceOrder, IsTwoWhereAQuarterIsLeftOfTheError) {
+TEST(ConvergenceOrder, IsTwoIfHalfTheSpacingLeavesAQuarterOfTheError) {
   EXPECT_NEAR(2, convergence_order(4, 0.2, 1, 0.1), 1e-12);
 }
 
-TEST(ValidationReport, SaysWhatMissed) {
+TEST(ValidationReport, ListsMissedBounds) {
   ValidationRun good;
   good.case_name = "case";
   good.solver = "dfsph";
@@ -246,7 +246,7 @@ TEST(ValidationReport, SaysWhatMissed) {
   EXPECT_NE(std::string::npos, validation_json({bad}).find("\"as_expected\": false"));
 }
 
-/// A wave of a known velocity, looked at after a step, with three spacings.
+/// A wave with a known velocity, measured after one step, with three spacings.
 class AProgramme : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -275,20 +275,22 @@ class AProgramme : public ::testing::Test {
   ValidateOptions options;
 };
 
-TEST_F(AProgramme, TellsOrdersAndWhatIsExpectedToMiss) {
+TEST_F(AProgramme, ReportsOrdersAndExpectedMisses) {
   const auto runs = validate(options);
   ASSERT_EQ(3u, runs.size());
   for (const ValidationRun& r : runs) EXPECT_TRUE(r.as_expected()) << r.resolution << r.error;
-  EXPECT_FALSE(runs[0].passed()) << "0.06 is more than 0.02";
+  EXPECT_FALSE(runs[0].passed()) << "0.06 exceeds the bound of 0.02";
   ASSERT_EQ(4u, runs[1].results.size());
   EXPECT_EQ("velocity: order of convergence", runs[1].results[3].name);
   EXPECT_NEAR(2, runs[1].results[3].value, 0.1);
-  EXPECT_GT(runs[0].results[1].value, runs[1].results[1].value) << "nearer to the finest";
-  EXPECT_EQ(2u, runs[2].results.size()) << "the finest is not compared with itself";
+  EXPECT_GT(runs[0].results[1].value, runs[1].results[1].value)
+      << "the error must decrease with the spacing";
+  EXPECT_EQ(2u, runs[2].results.size()) << "the finest run must not be compared with itself";
 }
 
-// A measure over all runs of a solver, and scenes that the caller changes.
-TEST_F(AProgramme, VariesAnyKeyAndLooksAtAllRuns) {
+// The case varies a key, measures across the runs of a solver, and the caller overrides the
+// spacing.
+TEST_F(AProgramme, VariesAnyKeyAndMeasuresAcrossRuns) {
   write_text(folder / "case/case.toml",
              "title = \"t\"\nsource = \"s\"\nscene = \"" SOURCE_DIR
              "/validation/interpolation/scene.toml\"\n"
@@ -303,10 +305,10 @@ TEST_F(AProgramme, VariesAnyKeyAndLooksAtAllRuns) {
   ASSERT_EQ(3u, runs.size());
   EXPECT_EQ("support_radius", runs[0].varies);
   EXPECT_EQ(0.2, runs[0].resolution);
-  EXPECT_EQ(400, runs[0].particles) << "of the spacing that was asked for";
+  EXPECT_EQ(400, runs[0].particles) << "the caller's spacing must apply";
   EXPECT_EQ(1u, runs[1].results.size());
   ASSERT_EQ(2u, runs[2].results.size());
-  // The slope of the line through three points at equal distances is that between the outer two.
+  // For three equidistant points, the slope of the fit is that between the outer two.
   const double slope = (*runs[0].results[0].measured - *runs[2].results[0].measured) / 0.2;
   EXPECT_NEAR(slope, *runs[2].results[1].measured, 1e-9 + 1e-6 * std::abs(slope));
   EXPECT_NE(0, slope);
@@ -324,20 +326,20 @@ TEST_F(AProgramme, HasAShortForm) {
   EXPECT_EQ(2, shorter[0].steps);
 }
 
-TEST_F(AProgramme, KeepsTheRunsOfTheSameScene) {
+TEST_F(AProgramme, ReusesRunsOfTheSameScene) {
   const auto before = validate(options);
   const fs::path told = folder / "runs/case_wcsph_0.05/report.json";
   write_text(told, R"({"steps": 77, "statistics": {"particles": 3}})");
   options.resume = true;
   const auto after = validate(options);
-  EXPECT_EQ(77, after[0].steps) << "it was made again";
+  EXPECT_EQ(77, after[0].steps) << "the run was repeated";
   EXPECT_EQ(before[0].results[0].value, after[0].results[0].value);
   fs::remove_all(folder / "runs/case_wcsph_0.025");
   options.run = false;
-  EXPECT_EQ(2u, validate(options).size()) << "one is not there, and none is to be made";
+  EXPECT_EQ(2u, validate(options).size()) << "one run is missing, and none may be started";
   options.run = true;
   options.cases[0].set[0].second[0].second = "3 spacings";
-  EXPECT_NE(77, validate(options)[0].steps) << "it is another scene";
+  EXPECT_NE(77, validate(options)[0].steps) << "another scene must be run again";
 }
 
 }  // namespace
