@@ -20,7 +20,7 @@ enum class ShiftingMethod { none, lind2012, adami2013, sun2017 };
 enum class VorticityMethod { none, bender2017 };
 enum class Drag { none, gissler2017 };
 
-/// Whether a solver solves for the pressure, so that the density stays at rest.
+/// Whether a solver solves for the pressure, which keeps the density at the rest density.
 constexpr bool is_incompressible(SolverName name) { return name >= SolverName::pcisph; }
 
 }  // namespace freshet

@@ -14,48 +14,48 @@
 
 namespace freshet {
 
-/// How the cpu backend computes. The results are the same bits, whatever is chosen.
+/// Threads and instruction set of the cpu backend. They do not change the bits of results.
 struct Execution {
   int threads = 0;  ///< 0: as many as the machine has
   std::string isa;  ///< "avx512", "avx2", "sse42" or "plain"; empty: the best that the machine has
 };
-/// The instruction set and the number of threads that such a choice comes to.
-/// Throws Error (kind scene) for a set that the machine lacks.
+/// The instruction set and the number of threads that Execution selects on this machine.
+/// instruction_set throws Error (kind scene) for a set that the machine lacks.
 std::string instruction_set(const std::string& isa);
 int thread_count(int threads);
 
-/// See freshet/checkpoint.h.
-struct Checkpoint;
+struct Checkpoint;  // freshet/checkpoint.h
 
 /// A simulation in memory: no file is touched, nothing is printed.
 class Simulation {
  public:
-  /// Samples the scene's fluid. Throws Error (kind scene) where check_scene would.
+  /// Checks the scene and samples its fluid. Throws Error (kind scene) for an invalid scene.
   explicit Simulation(Scene scene, const Execution& execution = {});
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
-  /// One time step. Throws Error (kind run) when the state cannot be right any more, which is
-  /// looked at after step 1, every tenth step up to 100, every hundredth from then on, and after
-  /// the last; the message names the particle, its place, the moment and the likeliest cause.
-  /// docs/when_it_goes_wrong.md has the bounds. What was thrown at can still be read.
+  /// Takes one time step. Throws Error (kind run) if a health check finds an unphysical state.
+  /// Health checks run after step 1, every tenth step up to 100, every hundredth step after that,
+  /// and the last step. The message names the particle, its position, the time and the likeliest
+  /// cause. docs/when_it_goes_wrong.md lists the bounds. The state stays readable after an
+  /// exception.
   void step();
 
   /// Adds to the acceleration of each particle, D numbers per particle in the order of `fluid`
   /// [m/s²]. It starts as zeros.
   using Force =
       std::function<void(const ParticleView& fluid, double time, std::span<double> acceleration)>;
-  /// A force of the caller, evaluated in each step as a body force is: once by first-order
-  /// integrators and pressure solvers, else at the start and at the end of the step. Adaptive steps
-  /// obey it. It must not change the simulation. An empty function removes it. Checkpoints do not
-  /// hold it: set it again after a restore. The health monitor stops judging speed and energy.
+  /// Sets a force of the caller. First-order integrators and pressure solvers evaluate it once a
+  /// step, the others at the start and at the end of the step. It limits adaptive time steps. The
+  /// function must not change the simulation. An empty function removes the force. Checkpoints do
+  /// not hold it: set it again after a restore. The health monitor stops judging speed and energy.
   void set_force(Force force);
   /// Changes gravity from the next step on, one number per dimension [m/s²]. Throws Error (kind
   /// scene) for another count or for infinity and NaN. Checkpoints do not hold it.
   void set_gravity(const Vector& gravity);
-  /// Positions [m] and velocities [m/s] of the fluid, to be written between steps, in the order of
-  /// fluid(), which stays valid. Valid until the next step.
+  /// Writable positions [m] and velocities [m/s] of the fluid, in the order of fluid(). The spans
+  /// are valid until the next step. A view from fluid() stays valid and sees the changes.
   struct WritableParticles {
     std::span<Real> x, v;
   };
@@ -67,40 +67,42 @@ class Simulation {
   /// Whether time.end is reached.
   bool finished() const;
   const TimeSteps& time_steps() const;
-  /// The iterations and errors of a solver that solves for the pressure; else empty.
+  /// Iteration counts and errors of the implicit solves; empty for a scene without one.
   const std::vector<SolveStatistics>& solves() const;
-  /// What was doubtful so far, in the order in which it was first seen.
+  /// The warnings so far, in the order of their first occurrence.
   const std::vector<Warning>& warnings() const;
-  /// What bounds the next step, by the present state [s].
+  /// The limits of the next time step by the present state [s].
   TimeStepBounds bounds();
-  /// The force of the fluid on each wall, in the order of Scene::wall_names() [N; N/m in 2D]:
-  /// reflecting walls the mean since the last call, others the present one.
+  /// The force of the fluid on each wall, in the order of Scene::wall_names() [N; N/m in 2D]. For
+  /// a reflecting wall it is the mean since the last call, for any other wall the present force.
   std::vector<Vector> wall_forces();
-  /// The force of the fluid on each patch now, over its area, along its axes [Pa; N/m in 2D]: that
-  /// on samples of walls and bodies within a support, each for as much of its cell as the patch
-  /// covers. Throws Error (kind scene) where a vector has not as many numbers as the domain axes.
+  /// The present force of the fluid on each patch, divided by the patch's area, along the patch's
+  /// axes [Pa; N/m in 2D]. It sums over the boundary and body particles within a support radius.
+  /// Each particle counts by the part of its cell that the patch covers. Throws Error (kind scene)
+  /// if a vector has a dimension other than the domain's.
   std::vector<Vector> tractions(const std::vector<WallPatch>& patches);
-  /// What inlets brought, outlets took and counters saw, in the order of Scene::flow_names(); rates
-  /// are the mean since the last call.
+  /// Particle counts of inlets, outlets and counters, in the order of Scene::flow_names(). Rates
+  /// are means since the last call.
   std::vector<Flow> flows();
   ParticleView fluid() const;
-  /// Where the bodies are, in the order of Scene::body.
+  /// The states of the rigid bodies, in the order of Scene::body.
   std::vector<BodyState> bodies() const;
   /// A copy of the fluid for pictures and files.
   Frame frame() const;
   Statistics statistics() const;
   const std::vector<VerbTiming>& timings() const;
 
-  /// A copy of all that the next steps follow from. Throws as step does if a particle is lost.
+  /// A copy of the complete state. Throws Error (kind run) if a particle is lost: NaN, or far
+  /// outside the domain.
   Checkpoint checkpoint() const;
-  /// Goes on from there, to the same bits as the run that it was taken from. Throws Error (kind
-  /// scene) if it was taken from another scene; the simulation is then as it was.
+  /// Resumes from a checkpoint, to the same bits as the run that wrote it. Throws Error (kind
+  /// scene) if the checkpoint is of another scene; the simulation is then unchanged.
   void restore(const Checkpoint& checkpoint);
 
   /// SHA-256 over steps_done (u64), then id (u64), x and v of each particle in id order,
   /// little-endian: equal states have equal sums.
   std::string state_sha256() const;
-  /// SHA-256 over the kept fields (what a restart needs), in the order of their names.
+  /// SHA-256 over the kept fields (those that a restart needs), in the order of their names.
   std::string kept_sha256() const;
 
  private:

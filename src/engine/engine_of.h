@@ -157,7 +157,7 @@ template <int D, class B> class EngineOf final : public Engine {
           [=] { return std::int64_t(count); }, StateArray::Role::other);
     });
   }
-  /// The memory of what keeps particles in place.
+  /// Creates the reflecting shapes and the memory of their velocity changes.
   void confine(const EnginePlan& p) {
     for (const ReflectorPlan& r : p.reflectors) {
       reflectors_.push_back({solid_of<D, Real>(r.solid), Real(r.restitution)});
@@ -171,8 +171,8 @@ template <int D, class B> class EngineOf final : public Engine {
         [this] { return std::int64_t(bounced_.size()); }, StateArray::Role::other);
     make_room_for_bounces();
   }
-  /// Sums over particles do not depend on whose bounce it was: where the particles are fewer now,
-  /// the first ones take over the bounces of the places that are gone.
+  /// Resizes the memory of velocity changes at reflecting walls. Only sums over particles are used:
+  /// if the number of particles falls, the first particles take the values of the removed entries.
   void make_room_for_bounces() {
     Confinement<D>& c = stepper_->confinement();
     const auto walls = std::size_t(c.walls());
@@ -181,13 +181,13 @@ template <int D, class B> class EngineOf final : public Engine {
     bounced_.resize(walls * n);
     c.bounced.data = bounced_.empty() ? nullptr : bounced_.data();
   }
-  /// After particles came or went.
+  /// Call after particles were added or removed.
   void changed() {
     make_room_for_bounces();
     particles_changed_ = true;
   }
 
-  /// The body particles once more, as targets of the fluid's forces.
+  /// Creates the second set of body particles, the targets of the fluid's forces.
   void make_bodies(const EnginePlan& p) {
     bodies_ = std::make_unique<CarriedBodies<D>>(p, walls_);
     if (p.layered_bodies) {
@@ -225,7 +225,7 @@ template <int D, class B> class EngineOf final : public Engine {
       wall.psi[first + k] = of_bodies.psi[k % of_bodies.n] = psi[std::size_t(k % of_bodies.n)];
   }
 
-  /// All forces on walls but bounces.
+  /// Adds all forces on walls except those of reflections.
   void add_wall_forces(WallForces<D, B>& forces) {
     B& backend = store_.backend;
     if (std::exchange(particles_changed_, false)) {
@@ -233,7 +233,7 @@ template <int D, class B> class EngineOf final : public Engine {
       backend.share("wall forces", fluid_, fluid_.rho, fluid_.p);
     }
     Walls<D> walls = walls_;
-    walls.akinci2012.moves = walls.adami2012.moves = false;  // sorted since the last search
+    walls.akinci2012.moves = walls.adami2012.moves = false;  // they are sorted already
     for (const Particles<D>* wall : std::initializer_list<const Particles<D>*>{
              &walls.akinci2012, &walls.adami2012, &walls.monaghan2009})
       if (wall->n > 0) backend.list_neighbors("wall forces", support_, *wall, fluid_);
@@ -242,7 +242,7 @@ template <int D, class B> class EngineOf final : public Engine {
   }
 
   std::unique_ptr<Stepper<D, B>> stepper_;
-  std::unique_ptr<NonPressureForces<D, B>> forces_;  // null where there are none
+  std::unique_ptr<NonPressureForces<D, B>> forces_;  // null: none
   FluidParticles<D>& fluid_;                         // the stepper's
   Store<D, B> store_;
   Walls<D>& walls_;
@@ -256,9 +256,9 @@ template <int D, class B> class EngineOf final : public Engine {
   std::unique_ptr<CarriedBodies<D>> bodies_;  // null without bodies
   std::vector<Reflector<D>> reflectors_;
   std::vector<Vec<D, double>> bounced_, bounced_before_;
-  std::vector<int> reflector_walls_;   // their numbers
-  mutable std::vector<Real> density_;  // of several liquids
-  bool particles_changed_ = false;     // since the last search
+  std::vector<int> reflector_walls_;   // indices of their walls
+  mutable std::vector<Real> density_;  // view of fluid() with several liquids
+  bool particles_changed_ = false;     // added or removed since the last search
   std::int64_t steps_ = 0;
 };
 

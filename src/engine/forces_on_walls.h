@@ -6,7 +6,7 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The reactions of the terms that act on the fluid.
+/// Adds the reactions of the walls' viscosity and adhesion terms to the forces on walls.
 template <int D, class B, template <int> class Kernel>
 void Forces<D, B, Kernel>::add_wall_forces(B& backend, const Fluid& f, const Walls<D>& w,
                                            WallForces<D, B>& forces) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The symbols of each solver, from the numbers of a plan.
+/// The parameters of each solver from the numbers of a plan.
 #pragma once
 #include <algorithm>
 
@@ -27,7 +27,7 @@ template <int D> SceneKernel<D> kernel_of(const EnginePlan& p) {
   return SceneKernel<D>(Real(p.support), p.kernel);
 }
 
-/// The memory of shapes and bounces is the engine's.
+/// The confinement without shapes and bounces, whose memory the engine owns.
 template <int D> Confinement<D> confinement(const EnginePlan& p) {
   Confinement<D> c{};
   c.box = {vec_of<D, Real>(p.min), vec_of<D, Real>(p.max), Real(p.restitution), p.reflecting_sides,
@@ -95,7 +95,7 @@ template <int D> IncompressibleParameters<D> incompressible_parameters(const Eng
   c.rho0 = Real(p.rest_density);
   c.liquids = liquids_of(p);
   c.most_nu = Real(p.own_viscosity);
-  if (p.own_viscosity == 0)  // another method's force
+  if (p.own_viscosity == 0)  // NonPressureForces computes the viscosity
     for (Liquid& liquid : c.liquids.liquid) liquid.nu = 0;
   c.xsph = Real(p.xsph);
   c.repulsion = Real(square(0.1 * p.sound_speed));

@@ -19,7 +19,7 @@ inline namespace FRESHET_ISA {
 
 template <int D, class B> class Store final : public FieldMaker<D> {
  public:
-  /// Adds the fluid as a set; its fields follow.
+  /// Adds the fluid as a set; make_fluid() and make() add its fields.
   Store(B b, const EnginePlan& p, FluidParticles<D>& fluid)
       : backend(std::move(b)),
         fluid_(fluid),
@@ -42,14 +42,14 @@ template <int D, class B> class Store final : public FieldMaker<D> {
   void make(const char* name, Keep keep, Field<int>& f) override {
     allocate(fluid_, "fluid", name, keep, f);
   }
-  /// The fields that every fluid has.
+  /// Allocates the fields that every fluid has.
   void make_fluid(const EnginePlan& p) {
     allocate(fluid_, "fluid", "id", Keep::kept, fluid_.id);
     allocate(fluid_, "fluid", "x", Keep::kept, fluid_.x);
     allocate(fluid_, "fluid", "v", Keep::kept, fluid_.v);
     if (p.liquids.size() > 1) make("kind", Keep::kept, fluid_.kind);
   }
-  /// Writes the state at the start.
+  /// Writes the initial state of the fluid.
   void fill_fluid(const Sample& sample, Field<Real>* start_pressure) {
     if (fluid_.kind.data) std::copy(sample.liquid.begin(), sample.liquid.end(), fluid_.kind.data);
     for (int i = 0; i < fluid_.n; ++i) {
@@ -62,7 +62,7 @@ template <int D, class B> class Store final : public FieldMaker<D> {
     copy_numbers(fluid_.x, sample.x);
     copy_numbers(fluid_.v, sample.v);
   }
-  /// The boundary particles of all walls, with room for body particles and their images.
+  /// Creates the boundary particles of all walls, with room for body particles and their images.
   void fill_walls(const EnginePlan& p) {
     int images = 1;
     for (int k = 0; k < D; ++k) images *= p.periodic[std::size_t(k)] ? 2 : 1;
@@ -74,7 +74,7 @@ template <int D, class B> class Store final : public FieldMaker<D> {
     AkinciWall<D>& wall = walls.akinci2012;
     const int all = std::exchange(wall.n, int(p.sample.akinci2012.wall.size()));
     prepare_walls(backend, walls, kernel_of<D>(p), Real(p.support),
-                  Real(p.rest_density));  // without bodies
+                  Real(p.rest_density));  // without body particles
     wall.n = all;
   }
 
@@ -84,9 +84,9 @@ template <int D, class B> class Store final : public FieldMaker<D> {
     using Role = StateArray::Role;
     const bool fluid = set.set == fluid_.set, kept = keep == Keep::kept;
     const bool shown = fluid && shown_between_steps(name);
-    // Where particles come and go, forces on walls may need a search between steps, which sorts.
+    // With flows, forces on walls may need a search between steps, which sorts kept fields only.
     backend.allocate(set, shown && edited_ ? Keep::kept : keep, field);
-    if (set.moves && field.data == static_cast<void*>(set.x.data)) return;  // as bodies have it
+    if (set.moves && field.data == static_cast<void*>(set.x.data)) return;  // follows from bodies
     if (kept || shown)
       state.add(
           std::string(set_name) + "/" + name, [&field] { return field.data; },
@@ -137,7 +137,7 @@ template <int D, class B> class Store final : public FieldMaker<D> {
   }
 
   FluidParticles<D>& fluid_;
-  bool edited_;  // particles come and go
+  bool edited_;  // particles are added and removed
   Liquids liquids_;
 };
 

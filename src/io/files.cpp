@@ -32,7 +32,7 @@ std::string remedy(int reason) {
   }
 }
 
-/// A file descriptor; its temporary file goes unless it was kept.
+/// A file descriptor. The destructor removes the temporary file unless it is kept.
 class Temporary {
  public:
   explicit Temporary(std::filesystem::path file)
@@ -58,7 +58,7 @@ void fail_file(const std::filesystem::path& path, const std::string& operation, 
 void write_file(const std::filesystem::path& file, std::string_view bytes) {
   Temporary beside(file.string() + ".part");
   if (beside.fd < 0) {
-    beside.kept = true;  // not ours
+    beside.kept = true;  // open() failed: the file is not ours to remove
     fail_file(file, "write", errno);
   }
   while (!bytes.empty()) {

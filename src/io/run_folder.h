@@ -10,18 +10,18 @@
 
 namespace freshet {
 
-/// Who made a run, for its manifest.
+/// The origin of a run, for its manifest.
 struct Provenance {
   std::vector<std::string> command;
   std::string backend, isa;
   int threads = 1;
 };
 
-/// A folder that one run at a time may write into.
+/// The lock of a folder: one run at a time may write into it.
 class FolderLock {
  public:
-  /// Throws Error (kind scene) if another run writes into it, (kind run) if there is no such
-  /// folder.
+  /// Throws Error (kind scene) if another run writes into the folder, (kind run) if it does not
+  /// exist.
   explicit FolderLock(std::filesystem::path folder);
   FolderLock(FolderLock&& o) noexcept
       : folder_(std::move(o.folder_)), fd_(std::exchange(o.fd_, -1)) {}
@@ -35,25 +35,25 @@ class FolderLock {
 };
 
 /// The folder of a run. manifest.json names every file before it is written, so that a run that was
-/// killed can be cleared away, or goes on, as well. One thread at a time.
+/// killed can be replaced or resumed. Not thread-safe.
 class RunFolder {
  public:
   enum class Take { empty, overwrite, resume };
 
-  /// Takes the folder over, which is made unless a run goes on in it. `planned` are files that the
-  /// run may write. Throws Error: see freshet::run and freshet::resume.
+  /// Prepares the folder, and creates it unless a run is resumed. `planned` are the files that the
+  /// run may write. Throws Error like freshet::run and freshet::resume.
   RunFolder(const std::filesystem::path& folder, Take take, std::vector<std::string> planned,
             Provenance provenance);
   RunFolder(FolderLock lock, Take take, std::vector<std::string> planned, Provenance provenance);
 
   const std::filesystem::path& path() const { return lock_.folder(); }
   void write(const std::string& file, std::string_view bytes);
-  /// The same of a file that was not planned.
+  /// Writes a file that was not planned, and adds it to the manifest first.
   void write_more(const std::string& file, std::string_view bytes);
   void remove(const std::string& file);
-  /// The last word of the manifest: the files that are there, with their sizes and digests.
+  /// Writes the final manifest: `state`, and the existing files with their sizes and digests.
   void finish(std::string_view state);
-  /// How the run that goes on here had ended; "running" if it was killed.
+  /// The state in the manifest of the earlier run; "running" if it was killed.
   const std::string& earlier_state() const { return earlier_state_; }
 
  private:

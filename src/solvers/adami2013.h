@@ -6,25 +6,27 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The transport velocity [Adami, Hu, Adams 2013]: particles move with
+/// The transport velocity [Adami, Hu, Adams 2013]. Particles move with
 ///
 ///   v~_i = v_i - dt/2 p_b/m sum_j (V_i^2 + V_j^2) grad W_ij,  p_b = rho0 c0^2
 ///
-/// and the flow, whose momentum they carry along, is accelerated by
+/// They carry momentum, by which the flow is accelerated:
 ///
 ///   1/m sum_j (V_i^2 + V_j^2) (A_i + A_j)/2 · grad W_ij,  A = rho v (v~ - v)
 ///
-/// What sees a wall moves with the flow: pressed by one, particles leave a cavity through its walls
-/// at last. The paper sums densities; where the density is kept, it is that of the flow where the
-/// particle has come to. Where there is no sound, the step is the paper's longest: c0 = h/(4 dt), h
-/// half the support.
+/// Particles with boundary particles in their support are not shifted: the uniform pressure would
+/// push them through the walls. The paper computes densities by summation. Where the density is
+/// kept, it changes by (v~ - v) · grad rho. Without sound, c0 = h/(4 dt) with h half the support,
+/// the largest step of the paper.
+///
+///   m [kg], rho0 [kg/m^D], h [m], c0 [m/s]
 template <int D, class B, template <int> class Kernel> struct Adami2013 final : Shifting<D, B> {
   using typename Shifting<D, B>::Fluid;
   Kernel<D> W;
-  Real m, rho0, h, c0;  ///< c0 = 0: there is no sound
+  Real m, rho0, h, c0;  ///< c0 = 0 for a solver without sound
   ShiftingAtSurface<D, B, Kernel> surface;
   Field<Vec<D>> u;   ///< scratch: v~ - v [m/s]
-  Field<Real> drho;  ///< scratch: rate of the density by it [kg/m^D/s]
+  Field<Real> drho;  ///< scratch: density rate by v~ - v [kg/(m^D s)]
   Adami2013(Kernel<D> W, Real m, Real rho0, Real h, Real c0)
       : W(W), m(m), rho0(rho0), h(h), c0(c0), surface{W, {}} {}
 
@@ -50,7 +52,7 @@ template <int D, class B, template <int> class Kernel> struct Adami2013 final : 
     });
   }
 
-  // The parts of it: public for nvcc, which takes no lambdas from private functions.
+  // Public for nvcc, which takes no lambdas from private functions.
   void find_transport(B& backend, const Fluid& f, const Walls<D>& w, Real dt) const {
     const auto u = this->u, edge = surface.edge;
     const Real c = c0 > 0 ? c0 : dt > 0 ? h / (4 * dt) : 0;

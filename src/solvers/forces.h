@@ -19,9 +19,9 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Which forces act, and their numbers. Tables are by the number of the liquid.
+/// The forces that act beside pressure, and their parameters. A PerLiquid is indexed by liquid.
 template <int D> struct ForceParameters {
-  ViscosityMethod viscosity;  ///< artificial: none of these, the solver's own
+  ViscosityMethod viscosity;  ///< artificial: the solver computes it, not this class
   SurfaceTensionMethod tension;
   ShiftingMethod shifting;
   bool vorticity, drag;
@@ -37,16 +37,16 @@ template <int D> struct ForceParameters {
   Real nu_t, Theta;       ///< of Bender 2017 [m^2/s, m^2]
   Iterations implicit;    ///< of Weiler 2018
   Air<D> air;
-  Real c0;                ///< speed of sound; 0 where there is none [m/s]
+  Real c0;                ///< speed of sound [m/s]; 0 for a solver without sound
   Real W_spacing;         ///< W at the distance of one spacing [1/m^D]
-  Real neighbors_inside;  ///< in a resting lattice
-  Real depth;             ///< mean of |x| in W [m]
-  bool no_walls;          ///< nothing holds the fluid
-  /// The papers' 0.01 h^2 makes a liquid 1.5 % thinner, however fine the particles are.
+  Real neighbors_inside;  ///< number of neighbours in a resting lattice
+  Real depth;             ///< mean distance from a plane under W: see Morris2000 [m]
+  bool no_walls;          ///< no wall can take up momentum
+  /// eps h^2 [m^2]. The 0.01 h^2 of the papers reduces the viscosity by 1.5 % at any resolution.
   Real eps_h2() const { return Real(1e-4f) * h * h; }
 };
 
-/// All of NonPressureForces, on a backend. Compiled once for each, in a file of its own.
+/// NonPressureForces on a backend. It is compiled once per backend and dimension, in its own file.
 template <int D, class B, template <int> class Kernel>
 class Forces final : public NonPressureForces<D, B> {
  public:
@@ -135,7 +135,7 @@ class Forces final : public NonPressureForces<D, B> {
                        WallForces<D, B>& forces) const override;
 
   // The parts of a step: public for nvcc, which takes no lambdas from private functions.
-  /// push = what acts explicitly, by the velocities as they are.
+  /// push = the sum of the explicit accelerations at the present velocities [m/s^2].
   void sum_push(B& backend, const Fluid& fluid, const Walls<D>& w, Real dt) {
     const auto f = fluid;
     const auto push = push_;
@@ -189,7 +189,7 @@ class Forces final : public NonPressureForces<D, B> {
     table.kind = f.kind;
     return table;
   }
-  /// push += lightness sum: what a pass ends in.
+  /// The finish of a pass: push += lightness sum.
   struct Add {
     Field<Vec<D>> push;
     PerLiquid lightness;
@@ -273,11 +273,11 @@ class Forces final : public NonPressureForces<D, B> {
   Weiler2018<D, B, Kernel> implicit_;
   Bender2017<D, B, Kernel> vorticity_;
   Morris2000<D, B, Kernel> curvature_;
-  std::unique_ptr<Shifting<D, B>> shifting_;  // none: null
+  std::unique_ptr<Shifting<D, B>> shifting_;  // null: none
   std::vector<Gissler2017<D>> drag_;          // by liquid
   std::optional<Solve> solve_;
-  Field<Vec<D>> push_;    // scratch: what acts [m/s^2], or velocities of the implicit solve
-  Field<Vec<D>> normal_;  // scratch: of the surface, of Akinci 2013
+  Field<Vec<D>> push_;    // scratch: accelerations [m/s^2], or velocities of the implicit solve
+  Field<Vec<D>> normal_;  // scratch: surface normals of Akinci 2013
 };
 
 }  // namespace FRESHET_ISA

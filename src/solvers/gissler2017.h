@@ -14,22 +14,23 @@ template <int D> struct Air {
   Vec<D> wind;
 };
 
-/// The drag of air on what it meets of a liquid [Gissler, Band, Peer, Ihmsen, Teschner 2017]. A
-/// particle without neighbours is a drop that the air flattens as the Taylor analogy breakup model
-/// has it [O'Rourke and Amsden 1987]; one with many is a piece of a surface. In 2D a particle is as
-/// much of a bar, one metre long.
+/// The drag of air on the exposed part of a liquid [Gissler, Band, Peer, Ihmsen, Teschner 2017]. A
+/// particle without neighbours is a drop that the air flattens, by the Taylor analogy breakup model
+/// [O'Rourke and Amsden 1987]. A particle with many neighbours is a piece of a surface. In 2D a
+/// particle is a bar of one metre length.
 ///
 ///   drop        f = 1/2 rho_a |v_rel|^2 C A exposed/m against v_rel, v_rel = v - wind  [eq. 1]
-///   L           radius of a drop as large as the particle [m]
-///   y           flattening, 0 for a ball and at most 1 for a disc  [eqs. 5 to 8]
+///   L           radius of a drop with the particle's volume [m]
+///   y           flattening, 0 for a ball, 1 (the maximum) for a disc  [eqs. 5 to 8]
 template <int D> struct Gissler2017 {
   Air<D> air;
   Real h, spacing, L, m;
   Real flatten;   ///< y over v_rel^2 [s^2/m^2]
-  Real full;      ///< neighbours of a particle that is as good as inside
+  Real full;      ///< number of neighbours from which a particle counts as inside
   Real reynolds;  ///< Re over |v_rel| [s/m]
 
-  /// rho0 [kg/m^3], mu [Pa s], sigma [N/m] of the liquid; inside: neighbours in a resting lattice.
+  /// h [m]: support radius; spacing [m]; rho0 [kg/m^3], mu [Pa s], sigma [N/m] of the liquid;
+  /// inside: number of neighbours in a resting lattice.
   Gissler2017(const Air<D>& air, double h, double spacing, double rho0, double mu, double sigma,
               double inside)
       : air(air), h(Real(h)), spacing(Real(spacing)), m(Real(rho0 * std::pow(spacing, D))) {
@@ -40,8 +41,8 @@ template <int D> struct Gissler2017 {
     const double per_td = C_d * mu / (2 * rho0 * radius * radius);
     const double omega2 = C_k * sigma / (rho0 * std::pow(radius, 3)) - per_td * per_td;
     L = Real(radius);
-    // Flattest after half a period of the drop's oscillation; of an overdamped one as it comes to
-    // rest.
+    // The flattening is largest after half a period of the drop's oscillation. An overdamped drop
+    // is flattest at rest.
     double most = 1;
     if (omega2 > 0) {
       const double omega = std::sqrt(omega2), t = 3.14159265358979323846 / omega;
@@ -56,12 +57,13 @@ template <int D> struct Gissler2017 {
     return Gissler2017Neighbor<D>{h, air.wind, f.v};
   }
 
-  /// Of a ball [Liu, Mather, Reitz 1993; eq. 3], times Re: finite at rest.
+  /// The drag coefficient of a ball [Liu, Mather, Reitz 1993; eq. 3] times Re, which is finite at
+  /// rest.
   FRESHET_HD static Real sphere_times_re(Real re) {
     const Real root = cube_root(re);
     return re > 1000 ? Real(0.424f) * re : 24 * (1 + root * root / 6);
   }
-  /// Newton's iteration: the same bits whatever the library.
+  /// The cube root by Newton's iteration, whose bits do not depend on the C library.
   FRESHET_HD static Real cube_root(Real a) {
     if (!(a > Real(1e-12f))) return 0;
     Real y = sqrt(sqrt(a));
@@ -74,7 +76,7 @@ template <int D> struct Gissler2017 {
     const Real speed = norm(v_rel), inside = min(seen.neighbors / full, Real(1));
     const Real y = min(flatten * speed * speed, Real(1)), re = reynolds * speed;
     const Real flat = 1 + Real(2.632f) * y;
-    // C |v_rel|: of a drop by Re, of a surface 1 [eqs. 4 and 9]
+    // C |v_rel|, with C of a drop by Re and C = 1 of a surface [eqs. 4 and 9]
     const Real of_drop = sphere_times_re(re) * flat / reynolds;
     const Real C_v = (1 - inside) * of_drop + inside * speed;
     const Real l = L * (1 + y / 2);

@@ -5,14 +5,17 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Particle shifting [Lind, Xu, Stansby, Rogers 2012]: after a step a particle goes on by
+/// Particle shifting [Lind, Xu, Stansby, Rogers 2012]. After a step a particle is shifted by
 ///
-///   dr_i = -h^2/2 crowd_i,  at most 0.2 h and U dt/2,  U = max |v|
+///   dr_i = -h^2/2 crowd_i,  |dr_i| <= min(0.2 h, U dt/2),  U = max |v|
 ///
-/// from where its neighbours crowd, however short the step is; h is half the support. The paper's
-/// bound is 0.2 h, in steps that the flow rules (0.4 h/U); where sound does, the other is the same
-/// speed. What sees a wall stays: the flow would press it back, and along it particles would gain
-/// energy by shifts as large as these.
+/// along the gradient of the concentration, whatever the length of the step; h is half the support.
+/// The paper's bound is 0.2 h, for steps limited by the flow (0.4 h/U). The bound U dt/2 is the
+/// same speed for the shorter steps that sound limits. Particles with boundary particles in their
+/// support are not shifted: the flow would push them back, and shifts along the wall would add
+/// energy.
+///
+///   m [kg], rho0 [kg/m^D], h [m];  W_spacing  W at the distance of one spacing [1/m^D]
 template <int D, class B, template <int> class Kernel> struct Lind2012 final : Shifting<D, B> {
   using typename Shifting<D, B>::Fluid;
   ConcentrationShifting<D, B, Kernel> shift;

@@ -8,23 +8,26 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Continuum surface force [Brackbill, Kothe, Zemach 1992; Morris 2000]: within a support of its
-/// surface a liquid is pushed inwards by
+/// Continuum surface force [Brackbill, Kothe, Zemach 1992; Morris 2000]. Within a support radius of
+/// the free surface the force density on the liquid is
 ///
 ///   f_i = 2 sigma kappa_i n_i,  n_i = sum_j V grad W_ij                    [N/m^D; eq. 10]
 ///
-/// twice, since only the half inside the surface has particles to push. The curvature kappa is that
-/// of normals smoothed twice, and is taken from a particle's depth, `depth` in the mean over n, to
-/// the surface. Beside a wall normals lie along it: the angle of contact is 90°.
+/// The factor 2 is there because only the half inside the surface has particles. The curvature
+/// kappa is computed from normals that are smoothed twice. It is extrapolated from the particle to
+/// the surface, over the mean depth `depth`. Next to a wall, normals are projected onto it: the
+/// contact angle is 90°.
+///
+///   m [kg], rho0 [kg/m^D], support, spacing [m]
 template <int D, class B, template <int> class Kernel> struct Morris2000 {
   using Fluid = FluidParticles<D>;
   Kernel<D> W;
   Real m, rho0, support, spacing;
-  Real depth;           ///< mean of |x| in W: how deep n is in the mean [m]
+  Real depth;           ///< mean distance from the surface, weighted by |n| [m]
   bool alone;           ///< there are no walls to take up momentum
-  Field<Vec<D>> n;      ///< scratch: the colour's gradient [1/m]
-  Field<Vec<D>> once;   ///< scratch: smoothed once; at last the force [m/s^2]
-  Field<Vec<D>> twice;  ///< scratch: smoothed twice
+  Field<Vec<D>> n;      ///< scratch: gradient of the colour [1/m]
+  Field<Vec<D>> once;   ///< scratch: n smoothed once [1/m]; then the acceleration [m/s^2]
+  Field<Vec<D>> twice;  ///< scratch: n smoothed twice [1/m]
 
   void fields(FieldMaker<D>& maker) {
     maker.make("surface_normal", Keep::scratch, n);
@@ -52,7 +55,7 @@ template <int D, class B, template <int> class Kernel> struct Morris2000 {
     backend.sum_pairs("surface normal", f, over(f, Morris2000Smoothed{W, V(), from}),
                       [=] FRESHET_LAMBDA(int i, Vec<D> sum) { to[i] = sum; });
   }
-  /// push += what acts: 2 sigma kappa n/rho.
+  /// push += 2 sigma kappa n lightness/rho0  [m/s^2]; sigma [N/m]
   void push(B& backend, const Fluid& fluid, const Walls<D>& w, const PerLiquid& sigma,
             const PerLiquid& lightness, Field<Vec<D>> push) const {
     const auto f = fluid;
@@ -65,14 +68,14 @@ template <int D, class B, template <int> class Kernel> struct Morris2000 {
     backend.for_each("surface tension", f,
                      [=] FRESHET_LAMBDA(int i) { push[i] += lightness[i] * acts[i]; });
   }
-  /// once = 2 sigma kappa n/rho0, by the normals smoothed twice
+  /// once = 2 sigma kappa n/rho0  [m/s^2], with kappa of the normals smoothed twice
   void find_force(B& backend, const Fluid& fluid, const PerLiquid& sigma) const {
     const auto f = fluid;
     const auto n = this->n;
     const auto acts = once;
     const auto smoothed = twice;
     const Real least = Real(0.2f) / support, depth = this->depth, rho0 = this->rho0;
-    const Real most = Real(D - 1) / spacing;  // of a drop with the spacing for a radius
+    const Real most = Real(D - 1) / spacing;  // curvature of a drop whose radius is the spacing
     backend.share("surface normal", f, smoothed);
     backend.sum_pairs("surface tension", f, over(f, Morris2000Curvature{W, V(), least, smoothed}),
                       [=] FRESHET_LAMBDA(int i, const Morris2000Turn<D, Real>& sum) {
@@ -83,7 +86,8 @@ template <int D, class B, template <int> class Kernel> struct Morris2000 {
                         acts[i] = 2 * sigma[i] * kappa / rho0 * n[i];
                       });
   }
-  /// The sum over a closed surface is zero; what the particles make it is taken from all of it.
+  /// Subtracts the net force, weighted by |n|. Over a closed surface it is zero in the continuum;
+  /// the discrete sum is not.
   void balance(B& backend, const Fluid& fluid) const {
     const auto f = fluid;
     const auto n = this->n;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What moves particles beside the flow, so that they stay evenly spread, and what ways of it
-/// share.
+/// Particle shifting: it moves particles relative to the flow, which keeps them evenly spread.
 #pragma once
 #include <cmath>
 
@@ -17,26 +16,27 @@ template <int D, class B> struct Shifting {
   using Fluid = FluidParticles<D>;
   virtual ~Shifting() = default;
   virtual void fields(FieldMaker<D>& maker) = 0;
-  /// What a step of dt shifts, by the particles and neighbours as they are; v is shared. push +=
-  /// what that does to the flow's momentum [m/s^2].
+  /// Computes the shift over a step of dt from the present particles and neighbours; v must be
+  /// shared. Adds the acceleration of the flow by the shift to push [m/s^2].
   virtual void find(B& backend, const Fluid& f, const Walls<D>& w, Real dt, PerLiquid lightness,
                     Field<Vec<D>> push) = 0;
-  /// Shifts, at the end of the step.
+  /// Shifts the particles, at the end of the step.
   virtual void move(B& backend, const Fluid& f, Real dt) const = 0;
 
-  /// Of the surface are particles whose -sum_j V_j x_ij · grad W_ij, D inside, is less.
+  /// A particle belongs to the free surface if -sum_j V_j x_ij · grad W_ij is below this. Inside
+  /// the fluid the sum is D.
   static constexpr Real inside = Real(0.75f) * D;
 };
 
-/// Shifting along the concentration of particles: what is shifted takes on the velocity and the
-/// density that the flow has there [Lind, Xu, Stansby, Rogers 2012, eq. 33].
+/// Shifting along the gradient of the particle concentration. A shifted particle takes the velocity
+/// and the density of the flow at its new place [Lind, Xu, Stansby, Rogers 2012, eq. 33].
 template <int D, class B, template <int> class Kernel> struct ConcentrationShifting {
   using Fluid = FluidParticles<D>;
   Kernel<D> W;
   Real m, rho0, W_spacing;
   Field<Vec<D>> u;   ///< scratch: velocity of the shift [m/s]
-  Field<Vec<D>> dv;  ///< scratch: rate of the velocity by it [m/s^2]
-  Field<Real> drho;  ///< scratch: and of the density [kg/m^D/s]
+  Field<Vec<D>> dv;  ///< scratch: velocity rate by the shift [m/s^2]
+  Field<Real> drho;  ///< scratch: density rate by the shift [kg/(m^D s)]
 
   void fields(FieldMaker<D>& maker) {
     maker.make("shift", Keep::scratch, u);
@@ -50,7 +50,7 @@ template <int D, class B, template <int> class Kernel> struct ConcentrationShift
     return Real(std::sqrt(
         backend.max("shift", f, [=] FRESHET_LAMBDA(int i) { return double(norm2(f.v[i])); })));
   }
-  /// finish(i, where the neighbours crowd)
+  /// Calls finish(i, Lind2012Sums).
   template <class Finish>
   void sum_crowd(B& backend, const Fluid& f, const Walls<D>& w, const Finish& finish) const {
     backend.sum_pairs(
@@ -80,15 +80,15 @@ template <int D, class B, template <int> class Kernel> struct ConcentrationShift
   }
 };
 
-/// Near a free surface particles are shifted along it only: where one of the surface is among the
-/// neighbours.
+/// Restricts shifting near a free surface to the tangential direction, for particles with a
+/// neighbour that belongs to the surface.
 template <int D, class B, template <int> class Kernel> struct ShiftingAtSurface {
   using Fluid = FluidParticles<D>;
   Kernel<D> W;
-  Field<Vec<D>> edge;  ///< scratch: as pairs/lind2012.h has it
+  Field<Vec<D>> edge;  ///< scratch: Lind2012Sums::slope at the free surface, zero elsewhere [1/m]
 
   void fields(FieldMaker<D>& maker) { maker.make("shift_edge", Keep::scratch, edge); }
-  /// Takes from shifts u what is across the surface.
+  /// Removes the normal part of the shifts u near the free surface.
   void keep_along(B& backend, const Fluid& f, Field<Vec<D>> u) const {
     backend.share("shift", f, edge);
     backend.sum_pairs("shift", f, over(f, Lind2012Normal{W, edge}),

@@ -5,13 +5,17 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Particle shifting [Sun, Colagrossi, Marrone, Zhang 2017]: after a step a particle goes on at
+/// Particle shifting [Sun, Colagrossi, Marrone, Zhang 2017]. After a step a particle is shifted
+/// with the velocity
 ///
-///   u_i = -2 U h crowd_i,  at most U/2,  U = max |v|                            [eq. 5, h = H/2]
+///   u_i = -2 U h crowd_i,  |u_i| <= U/2,  U = max |v|                           [eq. 5, h = H/2]
 ///
-/// from where its neighbours crowd: the paper's CFL Ma is U dt/h. Particles of a free surface,
-/// which see less than 0.75 D of their neighbours, stay; what sees a wall is moved along it only:
-/// the flow would press it back, and the density would rise without end.
+/// along the gradient of the concentration; the paper's CFL Ma is U dt/h. Particles of a free
+/// surface, where -sum_j V_j x_ij · grad W_ij < 0.75 D, are not shifted. Particles with boundary
+/// particles in their support are shifted along the wall only: the flow would push them back, and
+/// the density would rise without bound.
+///
+///   m [kg], rho0 [kg/m^D], h half the support [m];  W_spacing  W at one spacing [1/m^D]
 template <int D, class B, template <int> class Kernel> struct Sun2017 final : Shifting<D, B> {
   using typename Shifting<D, B>::Fluid;
   ConcentrationShifting<D, B, Kernel> shift;

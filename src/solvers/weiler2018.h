@@ -10,15 +10,18 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Viscosity by backward Euler [Weiler, Koschier, Brand, Bender 2018]: a step of any length is
-/// stable. With L v the acceleration by viscosity, linear in v,
+/// Viscosity by backward Euler [Weiler, Koschier, Brand, Bender 2018], which is stable for any
+/// step. With L v the acceleration by viscosity, linear in v,
 ///
-///   v' = v + dt L v',  so dv = v' - v solves  (1 - dt L) dv = dt L v,
+///   v' = v + dt L v',  so dv = v' - v solves  (1 - dt L) dv = dt L v
 ///
-/// by conjugate gradients with the blocks of the diagonal as preconditioner, from the dv of the
-/// step before [sec. 3.3]. Solving for dv, not for v', leaves out how fast everything moves
-/// together: the error is what is left of dt L v, as a share of it. A particle's equation counts
-/// with its density over the densest liquid's, which makes the equations symmetric.
+/// The solver is conjugate gradients with the diagonal blocks as preconditioner. It starts from the
+/// dv of the previous step [sec. 3.3]. The error is the norm of the residual over the norm of
+/// dt L v. Because it solves for dv, not for v', the mean velocity does not enter the error. Each
+/// equation is weighted with the particle's rest density over that of the densest liquid, which
+/// makes the equations symmetric.
+///
+///   m [kg], rho0 [kg/m^D], eps_h2 1e-4 h^2 [m^2], limits: maximum iterations and tolerance
 template <int D, class B, template <int> class Kernel> class Weiler2018 {
  public:
   using Fluid = FluidParticles<D>;
@@ -34,7 +37,8 @@ template <int D, class B, template <int> class Kernel> class Weiler2018 {
     maker.make("viscosity_off", Keep::scratch, off_);
   }
 
-  /// v as it is after dt of viscosity; mu [Pa s], lightness: by the liquids.
+  /// Advances v by dt of viscosity. Returns the solve result. mu [Pa s] and lightness are per
+  /// liquid.
   Solve relax(B& backend, const Fluid& f, const Walls<D>& w, Real dt, Field<Vec<D>> v,
               const PerLiquid& mu, const PerLiquid& lightness) {
     const auto dv = dv_;
@@ -46,7 +50,7 @@ template <int D, class B, template <int> class Kernel> class Weiler2018 {
   }
 
   // Public for nvcc, which takes no lambdas from private functions.
-  /// (1 + dt M_i)^-1
+  /// Computes the preconditioner (1 + dt M_i)^-1.
   void find_blocks(B& backend, const Fluid& f, const Walls<D>& w, Real dt, const PerLiquid& mu,
                    const PerLiquid& lightness) const {
     const auto diagonal = diagonal_, off = off_;
@@ -64,11 +68,11 @@ template <int D, class B, template <int> class Kernel> class Weiler2018 {
         });
   }
 
-  /// finish(i, L v) of any field of velocities v, over the lightness.
+  /// Calls finish(i, L v/lightness) for any field of velocities v.
   template <class Finish>
   void multiply(B& backend, const Fluid& f, const Walls<D>& w, Field<Vec<D>> v, const PerLiquid& mu,
                 const Finish& finish) const {
-    Particles<D> like_v = f;  // copies turn round what is shared as if it were the velocity
+    Particles<D> like_v = f;  // share then transforms v at copies as a velocity
     like_v.v = v;
     backend.share("viscosity", like_v, v);
     backend.sum_pairs(
@@ -80,7 +84,7 @@ template <int D, class B, template <int> class Kernel> class Weiler2018 {
         finish);
   }
 
-  /// What is left of the equations at the first dv; returns the size of dt L v.
+  /// Computes the residual at the initial dv. Returns the norm of dt L v.
   double begin(B& backend, const Fluid& f, const Walls<D>& w, Real dt, Field<Vec<D>> v,
                const PerLiquid& mu, const PerLiquid& lightness) const {
     const auto dv = dv_, left = left_;
@@ -96,7 +100,7 @@ template <int D, class B, template <int> class Kernel> class Weiler2018 {
     return size;
   }
 
-  /// Conjugate gradients, preconditioned  [Saad 2003, algorithm 9.1]
+  /// Preconditioned conjugate gradients  [Saad 2003, algorithm 9.1]
   Solve iterate(B& backend, const Fluid& f, const Walls<D>& w, Real dt, double size,
                 const PerLiquid& mu, const PerLiquid& lightness) const {
     const auto dv = dv_, left = left_, way = way_, product = product_;
@@ -121,14 +125,14 @@ template <int D, class B, template <int> class Kernel> class Weiler2018 {
       });
     }
   }
-  /// sum_i a_i · b_i over the lightness
+  /// sum_i a_i · b_i/lightness_i
   double weighted(B& backend, const Fluid& f, Field<Vec<D>> a, Field<Vec<D>> b,
                   const PerLiquid& lightness) const {
     return backend.sum("viscosity: sums", f, [=] FRESHET_LAMBDA(int i) {
       return double(dot(a[i], b[i])) / double(lightness[i]);
     });
   }
-  /// z · left, with z the preconditioned.
+  /// z · left, with z the preconditioned residual.
   double preconditioned(B& backend, const Fluid& f, const PerLiquid& lightness) const {
     const auto self = z();
     const auto left = left_;
@@ -156,8 +160,8 @@ template <int D, class B, template <int> class Kernel> class Weiler2018 {
   Kernel<D> W_;
   Real m_, rho0_, eps_h2_;
   Iterations limits_;
-  Field<Vec<D>> dv_;                    // kept: of the step before
-  Field<Vec<D>> left_, way_, product_;  // scratch
+  Field<Vec<D>> dv_;                    // kept: velocity change of the last solve [m/s]
+  Field<Vec<D>> left_, way_, product_;  // scratch: residual, search direction, matrix product
   Field<Vec<D>> diagonal_, off_;        // scratch: the preconditioner
 };
 
