@@ -10,58 +10,61 @@
 
 namespace freshet {
 
-/// What a case measures, and what it may come to.
+/// A measure of a validation case and the bound of its result.
 struct ValidationMeasure {
-  /// table: a file of the run, observables.csv if not given. "runs": a row for each run of a
-  /// solver, with what the runs differ by and what its other measures came to; the last run has the
-  /// result.
+  /// table: a file of the run, observables.csv by default. "runs" is a table with one row for each
+  /// run of a solver: the varied key and the results of the other measures. Its result belongs to
+  /// the last run.
   std::string name, table;
-  std::string beside;              ///< another one, whose columns are taken at the same times
-  std::string x, y, when;          ///< formulas in the table's columns; when: rows that count
-  std::string since, since_when;   ///< time counts from where a table\'s formula first holds
-  std::optional<double> from, to;  ///< of x
+  std::string beside;              ///< another table, interpolated to the times of the first
+  std::string x, y, when;          ///< formulas in the table's columns; when: selects rows
+  std::string since, since_when;   ///< table and formula; time counts from where it first holds
+  std::optional<double> from, to;  ///< range of x
   std::string statistic;           ///< of y: "" for a curve, else mean, max, slope ...
-  std::string expected;            ///< a formula in x, or a number; empty if there is none
-  /// A file of the case instead, and formulas in its columns. "finest": the finest run's own curve.
+  std::string expected;            ///< a formula in x, or a number; may be empty
+  /// Reference data in place of `expected`: a file of the case and formulas in its columns.
+  /// "finest": the curve of the finest run.
   std::string reference, rx, ry;
-  std::string norm = "max";            ///< of a curve's differences: max, mean, rms
-  std::optional<double> scale, align;  ///< differences over it, else over the expected; y at x = 0
-  std::optional<double> bound;         ///< of the difference; of the value itself if none expected
-  std::optional<double> short_bound;   ///< of the short form: coarser, it guards what is reached
-  std::optional<double> order;         ///< the least order between the two coarsest resolutions
-  std::string reason;                  ///< for the bound, or the order
+  std::string norm = "max";  ///< of a curve's differences: max, mean, rms
+  /// scale: divisor of differences, by default the expected value. align: the value of y at which a
+  /// curve and its reference are shifted to the same x
+  std::optional<double> scale, align;
+  std::optional<double> bound;        ///< of the difference, or of the value if none is expected
+  std::optional<double> short_bound;  ///< bound of the short form, which runs coarser
+  std::optional<double> order;        ///< minimum order between the two coarsest resolutions
+  std::string reason;                 ///< for the bound or the order
 };
 
-/// What is known to miss: these measures of these runs. A list that is empty names all; where no
-/// measure is named, the run fails as a whole.
+/// An expected miss of some measures of some runs. Empty `solvers` or `resolutions` means all.
+/// Without `measures` the run as a whole is expected to fail.
 struct ValidationMiss {
   std::vector<std::string> solvers, measures;
   std::vector<double> resolutions;
   std::string reason;
 };
 
-/// A published case: a scene, the solvers and resolutions that it is run with, and what is
-/// measured.
+/// A published case: a scene, its solvers and resolutions, and its measures.
 struct ValidationCase {
   std::string name, title, text, source;
   std::filesystem::path folder, scene;
   std::vector<std::string> solvers;
-  std::string varied = "particles.spacing";  ///< the key of the scene that resolutions are of
-  std::string unit = "m";                    ///< of the resolutions
-  std::vector<double> resolutions;           ///< the greatest first
+  std::string varied = "particles.spacing";  ///< the scene key that takes the resolutions
+  std::string unit = "m";                    ///< unit of the resolutions
+  std::vector<double> resolutions;           ///< in descending order
   std::vector<ValidationMiss> misses;
-  /// Overrides by solver; "" is for all. A value of "3 spacings" is so many, where spacings vary.
+  /// Overrides by solver; "" is for all solvers. A value "3 spacings" is multiplied by the run's
+  /// spacing.
   std::vector<std::pair<std::string, std::vector<std::pair<std::string, std::string>>>> set;
   std::vector<ValidationMeasure> measures;
   struct Short {
     std::vector<std::string> solvers;
     std::vector<double> resolutions;
-    std::optional<double> end;  ///< [s], of a shorter run
-    std::string cost;           ///< as measured
+    std::optional<double> end;  ///< time.end of a shorter run [s]
+    std::string cost;           ///< measured cost, as text
   };
   std::optional<Short> short_form;
 
-  /// What the runs differ by, in a word: spacing, step ...
+  /// The last part of the varied key: spacing, step ...
   std::string varies() const { return varied.substr(varied.rfind('.') + 1); }
 };
 
@@ -69,13 +72,13 @@ struct ValidationCase {
 struct ValidationResult {
   std::string name;
   double value = 0;                ///< a difference, or the value itself
-  std::optional<double> measured;  ///< of a statistic: what was compared
+  std::optional<double> measured;  ///< the value of a statistic before the comparison
   std::optional<double> bound;
   bool passed = false;
   std::string reason;
   std::string plot;           ///< SVG; empty for an order
-  bool at_least = false;      ///< the bound is the least that the value may be: an order
-  std::string expected_miss;  ///< why it is expected to miss its bound; empty: it is not
+  bool at_least = false;      ///< true for an order: the bound is a minimum
+  std::string expected_miss;  ///< reason of an expected miss; empty if a pass is expected
   bool as_expected() const { return passed == expected_miss.empty(); }
 };
 
@@ -83,17 +86,16 @@ struct ValidationResult {
 struct ValidationRun {
   std::string case_name, solver;
   double resolution = 0;
-  std::string varies = "spacing", unit = "m";  ///< what the resolution is
+  std::string varies = "spacing", unit = "m";  ///< name and unit of the resolution
   std::int64_t particles = 0, steps = 0;
   double seconds = 0;
-  std::string commit;            ///< of the sources that made it
-  std::string expected_failure;  ///< why it is expected to fail as a whole; empty: it is not
-  std::string error;             ///< why there is no result, if there is none
+  std::string commit;            ///< of the sources that computed the run
+  std::string expected_failure;  ///< reason of an expected failure; empty if success is expected
+  std::string error;             ///< message of a failed run; empty if it has results
   std::vector<ValidationResult> results;
-  std::string picture;  ///< PNG of the end
+  std::string picture;  ///< PNG of the final state
   bool passed() const;
-  /// As it should be: each bound is met or missed, and the run came to its end, where that is
-  /// expected.
+  /// Whether each bound is met or missed as expected, and the run finished or failed as expected.
   bool as_expected() const;
 };
 
@@ -103,40 +105,40 @@ std::string validation_summary(const std::vector<ValidationRun>& runs);
 
 struct ValidateOptions {
   std::vector<ValidationCase> cases;
-  std::vector<std::string> solvers;  ///< of those that a case has; empty: all
-  std::vector<Override> overrides;   ///< of the scene of each run, over those of its case
-  std::vector<double> resolutions;   ///< instead of the case's; empty: those
+  std::vector<std::string> solvers;  ///< selects among the case's solvers; empty: all
+  std::vector<Override> overrides;   ///< of each run's scene; they override the case's own
+  std::vector<double> resolutions;   ///< replace the case's; empty: the case's
   bool short_form = false;
-  bool resume = false;           ///< runs of the same scene that `output` holds are not made again
-  bool run = true;               ///< false: what `output` holds is measured, and nothing is run
-  int jobs = 1;                  ///< solvers of cases at a time
-  std::filesystem::path output;  ///< where the runs go, a folder each
+  bool resume = false;           ///< reuse runs of the same scene in `output`
+  bool run = true;               ///< false: measure the runs in `output` and run nothing
+  int jobs = 1;                  ///< solvers of cases that run at the same time
+  std::filesystem::path output;  ///< parent of the run folders
   std::function<void(const ValidationRun&)> before_run;
-  /// Once all resolutions of a solver are there; the orders of convergence are among the results of
-  /// the second.
+  /// Called when all resolutions of a solver have finished. The second run's results include the
+  /// orders of convergence.
   std::function<void(const ValidationRun&, std::size_t done, std::size_t all)> after_run;
 };
 
-/// What a run of a case by a solver, at a resolution, changes in its scene.
+/// The overrides that a case, a solver and a resolution apply to the scene.
 std::vector<Override> overrides_of(const ValidationCase&, const std::string& solver,
                                    double resolution);
 
-/// What the order of convergence of a measure is called among the results.
+/// The name of the result that holds the order of convergence of a measure.
 std::string order_of(const ValidationMeasure&);
 
-/// The cases below a folder, by name: each a folder with a case.toml.
+/// The cases below a folder, sorted by name. A case is a folder with a case.toml.
 std::vector<ValidationCase> validation_cases(const std::filesystem::path& folder);
-/// Throws Error (kind scene), with FILE:LINE:COLUMN, where a case.toml is wrong.
+/// Reads a case.toml. Throws Error (kind scene) with FILE:LINE:COLUMN if it is invalid.
 ValidationCase read_validation_case(const std::filesystem::path& folder);
 
-/// Runs cases with the shipped engine and measures. A run that fails is a result, not an error.
+/// Runs cases and measures them. A failed run is reported as a result; it throws no Error.
 std::vector<ValidationRun> validate(const ValidateOptions& options);
 
 /// The order of convergence of a measure between two resolutions, ln(e1/e2)/ln(dx1/dx2).
 double convergence_order(double error1, double resolution1, double error2, double resolution2);
 
-/// All that the runs came to, as JSON; as one HTML page with its plots and pictures in it; and as
-/// Markdown: a table of solvers and cases, and one of what was measured in each case.
+/// The results as JSON, as one HTML page with embedded plots and pictures, and as Markdown. The
+/// Markdown has a table of solvers and cases, and a table of measures for each case.
 std::string validation_json(const std::vector<ValidationRun>& runs);
 std::string validation_html(const std::vector<ValidationCase>& cases,
                             const std::vector<ValidationRun>& runs);

@@ -11,11 +11,11 @@
 
 namespace freshet {
 
-/// The memory of the health monitor of a simulation.
+/// The state of a simulation's health monitor.
 struct WatchRecord {
   struct Track {
     bool lasting, fatal;
-    std::int64_t steps;  ///< over which it was seen
+    std::int64_t steps;  ///< number of steps with the warning
   };
   struct Densest {
     std::uint64_t id;
@@ -23,30 +23,32 @@ struct WatchRecord {
     double value;             ///< [kg/m^D]
   };
   std::vector<Warning> warnings;
-  std::vector<Track> tracks;  ///< of each warning
+  std::vector<Track> tracks;  ///< one per warning
   std::int64_t steps_watched = 0;
-  std::int64_t first_step = 0;  ///< of the first check, with its results:
+  std::int64_t first_step = 0;  ///< step of the first health check
+  /// At the first health check: mean of max(0, rho/rho0 - 1), and the time-step limit [s]
   double first_compression = 0, first_bound = 0;
-  Densest first_densest{};
-  std::vector<std::int64_t> not_converged;  ///< of each solve, as SolveStatistics counts them
+  Densest first_densest{};                  ///< the densest particle at the first health check
+  std::vector<std::int64_t> not_converged;  ///< SolveStatistics::not_converged of each solve
 };
 
-/// A moment of a simulation, from which it continues to the same bits: a copy of all that the next
-/// steps follow from. Boundary particles are sampled anew from the scene.
+/// The complete state of a simulation at one time. A restored simulation continues to the same
+/// bits. Boundary particles are not stored: they are sampled again from the scene.
 struct Checkpoint {
-  struct Array : StateArray {  ///< its `data` is null
+  struct Array : StateArray {  ///< `data` is null; `bytes` holds the values
     std::vector<std::byte> bytes;
   };
-  std::string scene;  ///< TOML, as run; empty for a scene made in code
+  std::string scene;  ///< TOML with overrides; empty for a scene made in code
   std::int64_t steps = 0;
   double time = 0;      ///< [s]
   bool edited = false;  ///< Simulation::add_particles or remove_particles was called
   TimeSteps time_steps;
   std::vector<SolveStatistics> solves;
-  bool retries_help = true;  ///< false from a step that halves did not help to one that converges
+  /// false after a step whose halves did not converge, until a whole step converges
+  bool retries_help = true;
   std::vector<Array> arrays;
   WatchRecord watch;
-  std::string walls_sha256;  ///< of the boundary particles
+  std::string walls_sha256;  ///< digest of the boundary particles
 };
 
 }  // namespace freshet

@@ -7,16 +7,17 @@
 
 namespace freshet {
 
-/// Writes all that the next steps follow from, whole or not at all (docs/runs.md has the format).
-/// Throws Error (kind run) if it cannot be written, or as Simulation::checkpoint does.
+/// Writes a checkpoint file. A failed write leaves no partial file. docs/runs.md documents the
+/// format. Throws Error (kind run) if the write fails or a particle is lost.
 void save_checkpoint(const Simulation& simulation, const std::filesystem::path& file);
 
-/// Goes on from such a file, to the same bits, in a simulation made from the same scene.
-/// Throws Error (kind run) if the file is no checkpoint, torn, damaged or of another format; (kind
-/// scene) if it is of another scene. The simulation is then as it was.
+/// Restores a checkpoint file into a simulation of the same scene, to the same bits.
+/// Throws Error (kind run) if the file is not a checkpoint, incomplete, damaged or of another
+/// format version. Throws Error (kind scene) if it is of another scene. The simulation is unchanged
+/// after an exception.
 void restore_checkpoint(Simulation& simulation, const std::filesystem::path& file);
 
-/// About how much such a file takes [bytes].
+/// The approximate size of a checkpoint file of this simulation [bytes].
 std::size_t checkpoint_bytes(const Simulation& simulation);
 
 }  // namespace freshet

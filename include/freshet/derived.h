@@ -4,52 +4,55 @@
 
 namespace freshet {
 
-/// What an inlet comes to.
+/// Quantities that follow from an inlet's keys.
 struct DerivedInlet {
   std::string name;
-  double particles;  ///< of a layer
+  double particles;  ///< per layer
   double speed;      ///< [m/s]
   double rate;       ///< [m^3/s; m^2/s in 2D]
 };
 
 /// Numbers that follow from a scene. SI units.
 struct Derived {
-  double particles;       ///< at the start; a double, so that absurd scenes do not overflow
-  double most_particles;  ///< that there may be: with what inlets bring, but no more than the
-                          ///< domain holds
+  double particles;       ///< at the start; a double, so that huge scenes do not overflow
+  double most_particles;  ///< estimated maximum with inlets; at most what the domain has room for
   std::vector<DerivedInlet> inlets;
-  std::int64_t outside;         ///< particles that start outside the domain
-  std::int64_t left_out;        ///< places of a fluid's lattice that a wall takes
-  std::int64_t wall_particles;  ///< samples of all walls and bodies
-  std::int64_t frames;          ///< pictures that a run writes, the result not counted
-  std::int64_t data_frames;     ///< moments that a run writes data files of
-  double data_bytes;            ///< of all its data files, about
-  double support_radius, spacing;
-  double rest_density;    ///< of the densest liquid
-  double lightness;       ///< that over the rest density of the least dense, >= 1
-  double viscosity;       ///< kinematic, of the liquid where it is greatest, times rest_density
-  double mass;            ///< rest_density · spacing^D, or as given (scheme article)
-  double lattice_sum;     ///< what density sums are divided by; 1 where the mass is given
-  double density_error;   ///< of the density sum over the resting lattice, before that division
-  double gradient_error;  ///< of the gradient (Spiky's, or the kernel's) of a linear field on the
-                          ///< lattice
+  std::int64_t outside;            ///< particles that start outside the domain
+  std::int64_t left_out;           ///< lattice sites of fluids that walls exclude
+  std::int64_t wall_particles;     ///< boundary particles and body particles
+  std::int64_t frames;             ///< pictures that a run writes, without result.png
+  std::int64_t data_frames;        ///< frames that a run writes as data files
+  double data_bytes;               ///< approximate total size of the data files
+  double support_radius, spacing;  ///< [m]
+  double rest_density;             ///< of the densest liquid [kg/m^D]
+  double lightness;                ///< maximum over minimum rest density of the liquids, >= 1
+  double viscosity;       ///< maximum kinematic viscosity of the liquids times rest_density [Pa s]
+  double mass;            ///< rest_density · spacing^D, or particles.mass (scheme article) [kg]
+  double lattice_sum;     ///< divisor of density sums; 1 where particles.mass is set
+  double density_error;   ///< relative error of the undivided density sum over the resting lattice
+  double gradient_error;  ///< relative error of the discrete gradient of a linear field on the
+                          ///< lattice; Spiky for mueller2003, else the scene's kernel
   double neighbors;       ///< in the resting lattice, the particle itself not counted
-  /// Of the solvers that solve for the pressure there is neither: for scales, ten times the faster
-  /// of a fall through the domain and of how the fluid starts, and its square.
+  /// Stiffness [m²/s²] and speed of sound [m/s], stiffness = sound_speed². The pressure solvers
+  /// have no sound. For them sound_speed is ten times the maximum of the initial speed, the inlet
+  /// speeds and the speed of a fall through the domain.
   double stiffness, sound_speed;
-  double acoustic_step;  ///< upper bound of the time step [s]: 0.4 h/c; infinity without sound
-  double force_step;     ///< 0.25 √(h/|g|)
-  double viscous_step;   ///< 0.125 h² ρ0/μ, all with h half the support [Monaghan 1992, 2005]
-  double flow_step;  ///< 0.4 h/|v| at the start, where the pressure is solved for; else infinity
-  double capillary_step;  ///< 0.25 √(ρ0 h³/2πσ); infinity without surface tension [Morris 2000]
-  double density_tolerance;  ///< of the solve for the pressure, a fraction; 0 where there is none
+  /// Upper bounds of the time step [s], with h half the support radius [Monaghan 1992, 2005;
+  /// Morris 2000].
+  double acoustic_step;      ///< 0.4 h/c; infinity without sound
+  double force_step;         ///< 0.25 √(h/|g|)
+  double viscous_step;       ///< 0.125 h² ρ0/μ
+  double flow_step;          ///< 0.4 h/max|v| at the start; infinity unless a pressure solver runs
+  double capillary_step;     ///< 0.25 √(ρ0 h³/2πσ); infinity without surface tension
+  double density_tolerance;  ///< of the pressure solve, a fraction; 0 without a pressure solve
 
-  /// The least of the bounds, and its name.
+  /// The minimum of the time-step bounds [s], and its name.
   double step_bound() const;
   const char* step_bound_name() const;
 };
 
-/// Throws Error (kind scene) where check_scene would. Samples the fluid once.
+/// Derives the numbers of a scene. Samples the fluid once. Throws Error (kind scene) for an invalid
+/// scene.
 Derived derive(const Scene& scene);
 
 }  // namespace freshet

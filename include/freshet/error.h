@@ -6,22 +6,22 @@
 
 namespace freshet {
 
-/// One thing that is wrong (or doubtful), where it stands, and what to do about it.
+/// One error or warning: its place, its cause and the remedy.
 struct Diagnostic {
   enum class Severity { error, warning };
   Severity severity = Severity::error;
   std::string place;    ///< "FILE:LINE:COLUMN", "--set KEY", a path, or empty
-  std::string message;  ///< what was found, what is allowed, the remedy
+  std::string message;  ///< what is wrong, what is allowed, the remedy
 
-  /// "PLACE: error: MESSAGE", without "PLACE: " where there is none.
+  /// "PLACE: error: MESSAGE" or "PLACE: warning: MESSAGE"; without "PLACE: " if `place` is empty.
   std::string text() const;
 };
 
-/// What every function of the library throws. what() holds all diagnostics, a line each.
+/// The exception of every function of the library. what() holds all diagnostics, one per line.
 class Error : public std::runtime_error {
  public:
-  /// scene: the scene or the request is wrong (exit code 2 of the command); run: something
-  /// failed while it was carried out (exit code 1), for example a full disk.
+  /// scene: the scene or the request is invalid (exit code 2 of the command). run: a valid request
+  /// failed, for example because the disk is full (exit code 1).
   enum class Kind { scene, run };
 
   Error(Kind kind, std::vector<Diagnostic> diagnostics);

@@ -6,29 +6,31 @@
 
 namespace freshet {
 
-/// A rigid body at one moment, in three dimensions (of a scene in 2D z is 0, and it turns about z).
-/// What was at x0 at the start is at position + orientation (x0 - position at the start).
+/// The state of a rigid body at one time, in three dimensions. In a 2D scene z is 0 and the body
+/// turns about z. The body's point that started at x0 is at
+/// position + orientation (x0 - position at the start).
 struct BodyState {
-  std::array<double, 3> position{};               ///< of its centre of mass [m]
-  std::array<double, 4> orientation{0, 0, 0, 1};  ///< a unit quaternion x, y, z, w
+  std::array<double, 3> position{};               ///< of the centre of mass [m]
+  std::array<double, 4> orientation{0, 0, 0, 1};  ///< unit quaternion x, y, z, w
   std::array<double, 3> velocity{};               ///< of the centre of mass [m/s]
   std::array<double, 3> angular_velocity{};       ///< [rad/s]
-  std::array<double, 3> force{}, torque{};        ///< of the fluid over the last step, about the
-                                                  ///< centre of mass [N, N m; in 2D N/m, N]
+  /// Force and torque of the fluid over the last step, about the centre of mass
+  /// [N, N m; in 2D N/m, N]
+  std::array<double, 3> force{}, torque{};
 };
 
-/// The fluid at one moment, for pictures and data files: particles in the order of their ids,
-/// 32-bit floats whatever the state is in. SI units.
+/// The fluid at one time, for pictures and data files. Particles are in the order of their ids.
+/// Values are 32-bit floats, also where Real is double. SI units.
 struct Frame {
   int dimension = 2;
   std::int64_t step = 0;
-  double time = 0;
+  double time = 0;  ///< [s]
   std::vector<std::uint64_t> id;
-  std::vector<float> x, v;               ///< `dimension` numbers a particle: [m], [m/s]
-  std::vector<float> density, pressure;  ///< one a particle, as computed in the last step:
+  std::vector<float> x, v;               ///< `dimension` numbers per particle: [m], [m/s]
+  std::vector<float> density, pressure;  ///< one number per particle, computed in the last step:
                                          ///< [kg/m^D], [Pa; N/m in 2D]
-  std::vector<int> liquid;        ///< place in Scene::liquids(); empty where there is but one
-  std::vector<BodyState> bodies;  ///< as Scene::body
+  std::vector<int> liquid;               ///< index in Scene::liquids(); empty for one liquid
+  std::vector<BodyState> bodies;         ///< in the order of Scene::body
   std::size_t size() const { return id.size(); }
 };
 

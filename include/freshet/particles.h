@@ -16,18 +16,18 @@ struct ParticleView {
   int dimension = 2;
   std::span<const std::uint64_t> id;
   std::span<const Real> x, v;      ///< position [m], velocity [m/s]
-  std::span<const Real> density;   ///< [kg/m^D], as computed in the last step; at the start at rest
-  std::span<const Real> pressure;  ///< [Pa; N/m in 2D], as computed in the last step
+  std::span<const Real> density;   ///< [kg/m^D], computed in the last step; initially rest density
+  std::span<const Real> pressure;  ///< [Pa; N/m in 2D], computed in the last step
   std::span<const int> liquid;     ///< index in Scene::liquids(); empty for one liquid
   int liquid_of(std::size_t i) const { return liquid.empty() ? 0 : liquid[i]; }
   std::size_t size() const { return id.size(); }
 };
 
-/// A rectangle of a wall, in 2D a stretch of it.
+/// A rectangle on a wall; in 2D a line segment on it.
 struct WallPatch {
   Vector center;             ///< [m]
-  Vector half;               ///< half its lengths along its axes, 0 across it [m]
-  std::vector<Vector> axes;  ///< D unit vectors at right angles
+  Vector half;               ///< half its lengths along `axes`, 0 along its normal [m]
+  std::vector<Vector> axes;  ///< D orthogonal unit vectors
 };
 
 }  // namespace freshet

@@ -7,21 +7,21 @@
 namespace freshet {
 
 struct PlotOptions {
-  std::filesystem::path run;  ///< the folder of a run, which may still be going
-  /// The columns of observables.csv to draw, without their units, or "total energy"; those of one
-  /// unit share a panel. Empty: energies, momentum, density errors, speeds, time steps and the
-  /// forces on all walls that ever feel one.
+  std::filesystem::path run;  ///< the folder of a run, which may still be in progress
+  /// The columns of observables.csv to draw, without their units, or "total energy". Columns with
+  /// the same unit share a panel. Empty: energies, momentum, density errors, speeds, time steps and
+  /// the forces on all walls where they are not always zero.
   std::vector<std::string> columns;
   /// FILE.svg, FILE.png, or a folder for observables.svg and observables.png; empty: RUN/plots.
   std::filesystem::path output;
-  std::vector<std::filesystem::path> against;  ///< up to three runs to draw over it, in other lines
+  std::vector<std::filesystem::path> against;  ///< up to three other runs, in other line styles
 };
 
-/// Draws what the observables of a run did over its time. Returns the files, each whole or absent;
-/// what stood there is replaced.
+/// Plots the observables of a run over time. Returns the files written. Existing files are
+/// replaced; a failed write leaves no partial file.
 ///
-/// Throws Error (kind scene) where there is no run, no row or no such column, or a file that is
-/// no table; Error (kind run) if a write failed.
+/// Throws Error (kind scene) if the folder holds no run, the table is invalid or has no row, or a
+/// column is unknown. Throws Error (kind run) if a write failed.
 std::vector<std::filesystem::path> plot(const PlotOptions& options);
 
 }  // namespace freshet

@@ -12,28 +12,29 @@ namespace freshet {
 
 struct RenderOptions {
   std::filesystem::path run;        ///< the folder of a run, with its data/
-  std::filesystem::path output;     ///< where the pictures go; run/pictures if empty
-  bool overwrite = false;           ///< replace pictures that are there
+  std::filesystem::path output;     ///< folder of the pictures; RUN/pictures if empty
+  bool overwrite = false;           ///< replace existing pictures
   std::vector<Override> overrides;  ///< of picture.* and camera.*
   int threads = 0;                  ///< 0: as many as the machine has
   std::optional<VideoOptions> video;
-  /// Called after every picture with how many there are and how many there will be; false ends it,
-  /// with the pictures that are whole.
+  /// Called after every picture with the number done and the total. Returning false stops the
+  /// rendering; finished pictures stay.
   std::function<bool(std::size_t done, std::size_t all)> after_picture;
 };
 
 struct RenderReport {
   std::vector<std::filesystem::path> pictures;
   bool interrupted = false;
-  double seconds = 0;  ///< taken in all
+  double seconds = 0;  ///< total wall time
 };
 
-/// Draws the frames of a run again, otherwise coloured or seen from elsewhere, without simulating:
-/// output/frame_0000.png ..., and a film that shows each frame for the time until the next one.
+/// Renders the frames of a run again from its data files, with other colours or another camera.
+/// Writes output/frame_0000.png ... and optionally a video that shows each frame until the time of
+/// the next one.
 ///
-/// Throws Error (kind scene) if the folder holds no run or no data, if an override is of another
-/// key, if a picture is there already (unless `overwrite`); Error (kind run) if a file cannot be
-/// read or written.
+/// Throws Error (kind scene) if the folder holds no run or no data, an override is neither of
+/// picture nor of camera, or a picture exists (unless `overwrite`). Throws Error (kind run) if a
+/// file cannot be read or written.
 RenderReport render(const RenderOptions& options);
 
 }  // namespace freshet

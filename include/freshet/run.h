@@ -8,19 +8,19 @@
 
 namespace freshet {
 
-/// A film of the run, its pictures rendered apart from the frames and piped to ffmpeg.
+/// Video output: frames are rendered separately and piped to ffmpeg.
 struct VideoOptions {
   std::filesystem::path file;  ///< *.mp4 or *.gif
-  double fps = 30;             ///< pictures per simulated second, shown at that rate
+  double fps = 30;             ///< pictures per simulated second and per second of video
 };
 
-/// Called after every step with the seconds that steps have taken so far; false ends the run, with
-/// all that was written whole and a checkpoint.
+/// Called after every step with the wall time of the steps so far [s]. Returning false ends the
+/// run: it writes a checkpoint, and all files are complete.
 using AfterStep = std::function<bool(const Simulation&, double seconds)>;
 
 struct RunOptions {
-  std::filesystem::path output;      ///< the run's folder
-  bool overwrite = false;            ///< replace the run that the folder holds
+  std::filesystem::path output;      ///< the run folder
+  bool overwrite = false;            ///< replace an existing run in the folder
   std::string scene_name;            ///< for report.json
   std::vector<std::string> command;  ///< for manifest.json
   Execution execution;
@@ -28,28 +28,30 @@ struct RunOptions {
   AfterStep after_step;
 };
 
-/// Runs a scene into a folder: frames/frame_0000.png ..., result.png, observables.csv, scene.toml,
-/// report.json, manifest.json and the last two checkpoints, each whole or absent.
+/// Runs a scene and writes a run folder: frames/frame_0000.png ..., result.png, observables.csv,
+/// scene.toml, report.json, manifest.json and the last two checkpoints. A failed write leaves no
+/// partial file.
 ///
 /// Throws Error (kind scene) if the folder holds a run (unless `overwrite`) or another run writes
-/// into it; Error (kind run) if a step or a write failed: what was written before stays.
+/// into it. Throws Error (kind run) if a step or a write failed; files written before stay.
 Report run(const Scene& scene, const RunOptions& options);
 
 struct ResumeOptions {
-  std::filesystem::path folder;  ///< of a run that was interrupted, killed, or is to be prolonged
+  std::filesystem::path folder;  ///< of a run that was interrupted or killed, or that is extended
   std::vector<Override> overrides;  ///< of time.end, output, picture, camera and checks
   std::vector<std::string> command;
   Execution execution;
   AfterStep after_step;
-  /// Gets what is wrong with checkpoints newer than the one that the run goes on from.
+  /// Receives the defects of the checkpoints newer than the one that the run resumes from.
   std::function<void(const std::vector<Diagnostic>&)> warn;
 };
 
-/// Goes on from the newest whole checkpoint to the same bits, and the same files, as the run would
-/// have come to without a stop.
+/// Resumes a run from its newest valid checkpoint. The result has the same bits and the same files
+/// as an uninterrupted run.
 ///
-/// Throws Error (kind scene) if the folder holds no run, another run writes into it, or a key may
-/// not change; Error (kind run) as run does, or if no checkpoint is whole.
+/// Throws Error (kind scene) if the folder holds no run, another run writes into it, or an override
+/// changes a key that may not change. Throws Error (kind run) if no checkpoint is valid, or if a
+/// step or a write failed.
 Report resume(const ResumeOptions& options);
 
 }  // namespace freshet

@@ -46,13 +46,13 @@ enum class Interpolation { smooth, linear };
 
 struct LoadedMesh;
 
-/// Everything that a simulation needs, in SI units. docs/scene.md has every key with its unit,
-/// default and range; the members carry the same names. A scene can be filled in code or loaded.
+/// The input of a simulation, in SI units. docs/scene.md documents every key with its unit, default
+/// and range; members and keys have the same names. A scene is loaded from TOML or filled in code.
 struct Scene {
   struct Domain {
     Vector min, max;                      // min: the origin if empty
     Vector gravity;                       // (0, -9.81) or (0, -9.81, 0) if empty
-    std::vector<std::string> body_force;  // [m/s²] beside gravity: functions of x, y, z and t
+    std::vector<std::string> body_force;  // [m/s²], added to gravity: functions of x, y, z and t
     Axes periodic = Axes::none;
   };
   struct Particles {
@@ -61,7 +61,7 @@ struct Scene {
     double jitter = 0;
     std::int64_t seed = 1;
   };
-  /// What a fluid fills, or where a wall stands.
+  /// The region of a fluid, wall, outlet or body.
   struct Region {
     Shape shape = Shape::box;
     Side side = Side::inside;  // the fluid's side of the surface; a wall's is outside by default
@@ -74,17 +74,17 @@ struct Scene {
     double length = 0;         // cylinder
     Vector point, normal;      // plane: inside is where the normal does not point
     std::string file;          // points: *.ply, *.vtp or *.csv; mesh: *.stl, *.obj or *.ply
-    double scale = 1;          // mesh: metres that one unit of the file is
+    double scale = 1;          // mesh: metres per unit of the file
     Vector rotation;     // mesh: about x, then y, then z [degrees], after scaling; none if empty
-    Vector translation;  // mesh: at last [m]; none if empty
-    std::shared_ptr<const LoadedMesh> loaded;  // mesh: what loading the scene read
+    Vector translation;  // mesh: after rotation [m]; none if empty
+    std::shared_ptr<const LoadedMesh> loaded;  // mesh: read when the scene is loaded
   };
   struct Fluid : Region {
     Vector velocity;                          // at rest if empty
-    std::vector<std::string> velocity_field;  // [m/s] instead: functions of x, y and z
+    std::vector<std::string> velocity_field;  // [m/s], replaces velocity: functions of x, y and z
     double rest_density = 1000;
     double viscosity = 0.001;
-    std::string color;  // "#rrggbb", for pictures by liquid; one of a list if empty
+    std::string color;  // "#rrggbb", for color_by = "liquid"; a default palette if empty
     std::optional<double> surface_tension;
     double adhesion = 0;
     StartPressure pressure = StartPressure::zero;
@@ -95,34 +95,35 @@ struct Scene {
     std::string name;  // "wall[k]" if empty
     std::optional<WallMethod> method;
     Slip slip = Slip::no_slip;
-    Vector velocity;  // of its surface, which slides along itself; at rest if empty
+    Vector velocity;  // tangential velocity of the surface; at rest if empty
     double restitution = 0.5;
   };
-  /// A flat piece: in 2D a slit of `width`, in 3D a disc or a rectangle.
+  /// A flat opening: in 2D a slit of `width`, in 3D a disc or a rectangle.
   struct Opening {
     std::string name;
-    Vector center, direction;             // direction: across the piece; any length
-    std::optional<double> radius;         // of a disc
-    std::optional<double> width, height;  // of a slit or a rectangle
-    Vector up;  // of a rectangle: roughly along its height; y if empty, or z where that is across
+    Vector center, direction;             // direction: along the normal; any length
+    std::optional<double> radius;         // disc
+    std::optional<double> width, height;  // slit or rectangle
+    Vector up;  // rectangle: roughly along its height; if empty y, or z where y is the normal
   };
-  /// Where liquid comes in; "inlet[k]" if it has no name.
+  /// Emits liquid. The name defaults to "inlet[k]".
   struct Inlet : Opening {
-    std::optional<double> speed, flow_rate;  // one of them
+    std::optional<double> speed, flow_rate;  // exactly one is set
     double start = 0;
     std::optional<double> stop;  // never if empty
-    std::string recycle;         // an outlet: what leaves there comes in again here
+    std::string recycle;         // name of an outlet whose particles this inlet emits again
     double rest_density = 1000;
     double viscosity = 0.001;
-    std::string color;  // as a fluid's
+    std::string color;  // see Fluid::color
   };
-  /// Where liquid leaves; "outlet[k]" if it has no name.
+  /// Removes the liquid that enters its region. The name defaults to "outlet[k]".
   struct Outlet : Region {
     std::string name;
   };
-  /// Counts what goes through a piece of a plane, or the whole plane; "counter[k]" if nameless.
+  /// Counts the particles that cross a part of a plane or a whole plane. The name defaults to
+  /// "counter[k]".
   struct Counter : Opening {};
-  /// A rigid body: where it stands at the start, and what moves it.
+  /// A rigid body: its region at the start and its motion.
   struct Body : Region {
     Body() { side = Side::outside; }
     struct Key {
@@ -133,13 +134,13 @@ struct Scene {
     std::string name;  // "body[k]" if empty
     BodyMotion motion = BodyMotion::fixed;
     Slip slip = Slip::no_slip;
-    // moved: from its place at the start, by functions of t, key frames, or those of a file
+    // moved: relative to the start, by functions of t, key frames, or the key frames of a file
     std::vector<std::string> position;  // [m]
     std::string angle;                  // [degrees]
     std::vector<Key> key;
     std::string path;  // *.csv
     Interpolation interpolation = Interpolation::smooth;
-    Vector pivot;      // what it turns about; its centre of mass if empty
+    Vector pivot;      // centre of rotation [m]; the centre of mass if empty
     Vector turn_axis;  // z if empty
     // free
     std::optional<double> density, mass;  // [kg/m^D], [kg; kg/m in 2D]
@@ -166,14 +167,14 @@ struct Scene {
     std::optional<DensityDiffusion> density_diffusion;  // delta_sph
     double delta = 0.1;                                 // delta_sph
     double background_pressure = 0;                     // wcsph, delta_sph
-    // Of those that solve for the pressure: pcisph, iisph, dfsph, pbf.
+    // The pressure solvers: pcisph, iisph, dfsph, pbf
     std::optional<double> density_tolerance;  // 0.0001 for dfsph, else 0.001
     double divergence_tolerance = 0.001;      // dfsph
     std::int64_t min_iterations = 1, max_iterations = 100;
     bool warm_start = true;                     // iisph, dfsph
     Iteration iteration = Iteration::nesterov;  // dfsph
     double xsph = 0.01;
-    // Of all but mueller2003. See Scene::viscosity_method() for the one that is not given.
+    // All solvers but mueller2003. Scene::viscosity_method() has the default.
     std::optional<ViscosityMethod> viscosity_method;
     double viscosity_tolerance = 0.001;           // weiler2018
     std::int64_t viscosity_max_iterations = 200;  // weiler2018
@@ -182,14 +183,14 @@ struct Scene {
     VorticityMethod vorticity_method = VorticityMethod::none;
     std::optional<double> vorticity_transfer, vorticity_inertia;  // bender2017
   };
-  /// What the liquid flies through.
+  /// The air around the liquid: density [kg/m³], dynamic viscosity [Pa s], wind [m/s].
   struct Air {
     Drag drag = Drag::none;
     Vector velocity;  // at rest if empty
     double density = 1.2, viscosity = 1.8e-5;
   };
-  /// The sides of the domain. One that is not given has `method`; if that is not given either,
-  /// reflection for mueller2003 and akinci2012 for the others.
+  /// The sides of the domain. A side that is not set has `method`. If `method` is not set either,
+  /// it is reflection for mueller2003 and akinci2012 for the other solvers.
   struct Walls {
     std::optional<WallMethod> method, x_min, x_max, y_min, y_max, z_min, z_max;
     Slip slip = Slip::no_slip;
@@ -200,19 +201,19 @@ struct Scene {
     double step = 0;        // fixed; unused if adaptive
     bool adaptive = false;  // step = "adaptive"
     std::optional<double> step_max;
-    bool retry = true;                     // a step whose solve did not converge: in halves
+    bool retry = true;                     // halve a step whose solve did not converge
     std::optional<Integrator> integrator;  // symplectic_euler for wcsph, else leapfrog
   };
-  /// Where the fluid is asked while it flows.
+  /// Samples the fluid at places while the simulation runs.
   struct Probe {
     std::string name;  // of its table, probes/NAME.csv; "probe_k" if empty
     ProbeKind kind = ProbeKind::point;
     Vector at;                    // point
     Vector from, to;              // line, surface; plane, wall: opposite corners
-    std::int64_t count = 2;       // line: places, both ends included
-    std::optional<double> apart;  // [m]; plane: its places; the particles' spacing if not given
-    std::string body;             // that carries it; none if empty
-    std::optional<double> every;  // [s]; as the observables if not given
+    std::int64_t count = 2;       // line: number of places, both ends included
+    std::optional<double> apart;  // plane: distance of its places [m]; default: particles.spacing
+    std::string body;             // name of the body that carries the probe; none if empty
+    std::optional<double> every;  // [s]; default: with the observables
   };
   struct Output {
     std::optional<std::int64_t> frame_every_steps, observables_every_steps;
@@ -221,9 +222,9 @@ struct Scene {
     std::optional<double> checkpoint_every;         // [s]
     std::vector<DataFormat> data{DataFormat::vtp};  // no data files if empty
     std::vector<DataField> fields{DataField::velocity, DataField::density, DataField::pressure,
-                                  DataField::id};  // besides the position
+                                  DataField::id};  // the position is always written
     Precision precision = Precision::float32;
-    std::optional<std::int64_t> data_every_steps;  // as the frames if neither is given
+    std::optional<std::int64_t> data_every_steps;  // if neither is set: with the frames
     std::optional<double> data_every;              // [s]
   };
   struct Picture {
@@ -233,16 +234,16 @@ struct Scene {
     Vector window;                           // x_min, y_min, x_max, y_max; 2D
     ColorBy color_by = ColorBy::speed;
     std::optional<ColorMap> color_map;  // article in 2D, water in 3D
-    Vector color_range;                 // least and greatest; of each picture if empty
-    std::string background = "night";   // a word, or "#rrggbb"
+    Vector color_range;                 // minimum and maximum; those of each picture if empty
+    std::string background = "night";   // a name, or "#rrggbb"
     bool time_stamp = false, scale_bar = false, color_bar = false;
   };
-  /// Where a picture in 3D is seen from; several are key frames.
+  /// The camera of pictures in 3D. Several cameras are key frames.
   struct Camera {
     double time = 0;            // of a key frame
-    Vector position;            // in front, to the right and above, if empty
+    Vector position;            // if empty: in front, to the right and above
     Vector target;              // the middle of the domain if empty
-    double field_of_view = 35;  // [degrees] from the bottom of the picture to its top
+    double field_of_view = 35;  // vertical [degrees]
     double orbit = 0;           // [degrees/s] about the vertical through the target
   };
   struct Checks {
@@ -271,9 +272,9 @@ struct Scene {
   std::vector<Camera> camera;
   Checks checks;
 
-  /// The TOML text that this scene was loaded from, overrides included; empty for one made in code.
+  /// The TOML text of this scene, overrides included; empty for a scene made in code.
   std::string source;
-  /// Where each key that was given stands ("fluid[0].count" -> "FILE:LINE:COLUMN" or "--set KEY").
+  /// The place of each key that is set: "fluid[0].count" -> "FILE:LINE:COLUMN" or "--set KEY".
   std::map<std::string, std::string> places;
 
   int dimension() const { return int(domain.max.size()); }  ///< 2 or 3
@@ -283,53 +284,56 @@ struct Scene {
   bool is_article() const {
     return method().reads("solver.scheme") && solver.scheme == Scheme::article;
   }
-  /// Fluids that are alike, and what inlets bring, are of one liquid.
+  /// Fluids and inlets with equal rest density, viscosity and colour share one liquid.
   struct Liquid {
     double rest_density, viscosity;
     std::string color;
     bool operator==(const Liquid&) const = default;
   };
-  /// In the order of the fluids, then the inlets, that are the first of them.
+  /// The distinct liquids, in the order of their first fluid or inlet; fluids come first.
   std::vector<Liquid> liquids() const;
-  /// The place of the k-th fluid's liquid among them.
+  /// The index of the k-th fluid's liquid in liquids().
   int liquid_of(std::size_t k) const;
-  /// As given; else fourtakas2019, which knows one liquid's weight, or antuono2010 for several.
+  /// As set. Default: antuono2010 for several liquids, else fourtakas2019, which subtracts the
+  /// hydrostatic density of a single liquid.
   DensityDiffusion density_diffusion() const;
-  /// The whole number of fixed steps, round(end/step); of an adaptive run end/step_max, a guess.
+  /// The number of fixed steps, round(end/step). For an adaptive run the estimate end/step_max.
   std::int64_t steps() const;
-  /// Of side d·2 + (0: min, 1: max); `reflection` and the like also where the axis is periodic.
+  /// The wall method of side 2d + (0: min, 1: max), d the axis. It ignores periodic axes.
   WallMethod side_method(int side) const;
   WallMethod wall_method(std::size_t k) const;
   bool periodic(int axis) const { return int(domain.periodic) >> axis & 1; }
   Integrator integrator() const;
-  /// As given; else artificial for wcsph and delta_sph, monaghan2005 for the others.
+  /// As set. Default: artificial for wcsph and delta_sph, monaghan2005 for the others.
   ViscosityMethod viscosity_method() const;
-  /// "x_min" ... "z_max", then the walls' names: what forces are reported by.
+  /// The names by which wall forces are reported: "x_min" ... "z_max", then the walls' names.
   std::vector<std::string> wall_names() const;
-  /// Whether particles come or go.
+  /// Whether particles are added or removed during the run.
   bool has_flows() const { return !inlet.empty() || !outlet.empty(); }
-  /// The names of inlets, then outlets, then counters: what flows are reported by.
+  /// The names by which flows are reported: inlets, then outlets, then counters.
   std::vector<std::string> flow_names() const;
   std::string body_name(std::size_t k) const;
 };
 
-/// An override as `--set KEY=VALUE` gives it: VALUE is TOML, else a string.
+/// KEY and VALUE of `--set KEY=VALUE`. VALUE is parsed as TOML; if that fails, it is a string.
 using Override = std::pair<std::string, std::string>;
 
 /// Loads and checks a scene.
 /// Throws Error (kind scene) with every semantic error at once, or one syntax error alone.
 Scene load_scene(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
 
-/// The same from text; `name` stands for the file in messages.
+/// Parses and checks a scene from TOML text. Messages use `name` as the file name.
+/// Throws Error (kind scene) with every semantic error at once, or one syntax error alone.
 Scene parse_scene(const std::string& text, const std::string& name,
                   const std::vector<Override>& overrides = {});
 
-/// What to override for the same scene with about `particles` particles: every length that belongs
-/// to a particle, and with them the time step, shrinks by one factor; blocks and domain stay. Where
-/// there are inlets, so many are there at the most.
+/// The overrides that change a scene to about `particles` particles. Particle lengths (spacing,
+/// jitter, support radius) and the time step scale by one factor; fluid regions and domain stay.
+/// With inlets, `particles` is the estimated maximum. Throws Error (kind scene) if a fluid is read
+/// from a point file, whose spacing is fixed.
 std::vector<Override> at_resolution(const Scene& scene, double particles);
 
-/// What is doubtful in a good scene: lattice errors above 2 %, a time step over its bound, ...
+/// The warnings for a valid scene: lattice errors above 2 %, a time step above its bound, ...
 std::vector<Diagnostic> scene_warnings(const Scene& scene);
 
 }  // namespace freshet

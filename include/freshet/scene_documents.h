@@ -4,9 +4,9 @@
 
 namespace freshet {
 
-/// The JSON Schema of scene files, for editors.
+/// The JSON Schema of scene files, which editors use for completion.
 std::string scene_schema();
-/// The reference of every scene key in Markdown (docs/scene.md).
+/// The reference of all scene keys in Markdown (docs/scene.md).
 std::string scene_reference();
 
 }  // namespace freshet

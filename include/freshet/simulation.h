@@ -14,42 +14,42 @@
 
 namespace freshet {
 
-/// How the cpu backend computes. The results are the same bits, whatever is chosen.
+/// Threads and instruction set of the cpu backend. They do not change the bits of results.
 struct Execution {
   int threads = 0;  ///< 0: as many as the machine has
   std::string isa;  ///< "avx512", "avx2", "sse42" or "plain"; empty: the best that the machine has
 };
-/// The instruction set and the number of threads that such a choice comes to.
-/// Throws Error (kind scene) for a set that the machine lacks.
+/// The instruction set and the number of threads that Execution selects on this machine.
+/// instruction_set throws Error (kind scene) for a set that the machine lacks.
 std::string instruction_set(const std::string& isa);
 int thread_count(int threads);
 
-/// See freshet/checkpoint.h.
-struct Checkpoint;
+struct Checkpoint;  // freshet/checkpoint.h
 
 /// A simulation in memory: no file is touched, nothing is printed.
 class Simulation {
  public:
-  /// Samples the scene's fluid. Throws Error (kind scene) where check_scene would.
+  /// Checks the scene and samples its fluid. Throws Error (kind scene) for an invalid scene.
   explicit Simulation(Scene scene, const Execution& execution = {});
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
-  /// One time step. Throws Error (kind run) when the state cannot be right any more, which is
-  /// looked at after step 1, every tenth step up to 100, every hundredth from then on, and after
-  /// the last; the message names the particle, its place, the moment and the likeliest cause.
-  /// docs/when_it_goes_wrong.md has the bounds. What was thrown at can still be read.
+  /// Takes one time step. Throws Error (kind run) if a health check finds an unphysical state.
+  /// Health checks run after step 1, every tenth step up to 100, every hundredth step after that,
+  /// and the last step. The message names the particle, its position, the time and the likeliest
+  /// cause. docs/when_it_goes_wrong.md lists the bounds. The state stays readable after an
+  /// exception.
   void step();
 
   /// Adds to the acceleration of each particle, D numbers per particle in the order of `fluid`
   /// [m/s²]. It starts as zeros.
   using Force =
       std::function<void(const ParticleView& fluid, double time, std::span<double> acceleration)>;
-  /// A force of the caller, evaluated in each step as a body force is: once by first-order
-  /// integrators and pressure solvers, else at the start and at the end of the step. Adaptive steps
-  /// obey it. It must not change the simulation. An empty function removes it. Checkpoints do not
-  /// hold it: set it again after a restore. The health monitor stops judging speed and energy.
+  /// Sets a force of the caller. First-order integrators and pressure solvers evaluate it once a
+  /// step, the others at the start and at the end of the step. It limits adaptive time steps. The
+  /// function must not change the simulation. An empty function removes the force. Checkpoints do
+  /// not hold it: set it again after a restore. The health monitor stops judging speed and energy.
   void set_force(Force force);
   /// Changes gravity from the next step on, one number per dimension [m/s²]. Throws Error (kind
   /// scene) for another count or for infinity and NaN. Checkpoints do not hold it.
@@ -87,9 +87,9 @@ class Simulation {
   /// Whether time.end is reached.
   bool finished() const;
   const TimeSteps& time_steps() const;
-  /// The iterations and errors of a solver that solves for the pressure; else empty.
+  /// Iteration counts and errors of the implicit solves; empty for a scene without one.
   const std::vector<SolveStatistics>& solves() const;
-  /// What was doubtful so far, in the order in which it was first seen.
+  /// The warnings so far, in the order of their first occurrence.
   const std::vector<Warning>& warnings() const;
   /// What bounds the next step, by the present state [s].
   TimeStepBounds bounds() const;
@@ -112,23 +112,24 @@ class Simulation {
   /// are the mean since that moment.
   std::vector<Flow> flows(const Moment& since = Moment()) const;
   ParticleView fluid() const;
-  /// Where the bodies are, in the order of Scene::body.
+  /// The states of the rigid bodies, in the order of Scene::body.
   std::vector<BodyState> bodies() const;
   /// A copy of the fluid for pictures and files.
   Frame frame() const;
   Statistics statistics() const;
   const std::vector<VerbTiming>& timings() const;
 
-  /// A copy of all that the next steps follow from. Throws as step does if a particle is lost.
+  /// A copy of the complete state. Throws Error (kind run) if a particle is lost: NaN, or far
+  /// outside the domain.
   Checkpoint checkpoint() const;
-  /// Goes on from there, to the same bits as the run that it was taken from. Throws Error (kind
-  /// scene) if it was taken from another scene; the simulation is then as it was.
+  /// Resumes from a checkpoint, to the same bits as the run that wrote it. Throws Error (kind
+  /// scene) if the checkpoint is of another scene; the simulation is then unchanged.
   void restore(const Checkpoint& checkpoint);
 
   /// SHA-256 over steps_done (u64), then id (u64), x and v of each particle in id order,
   /// little-endian: equal states have equal sums.
   std::string state_sha256() const;
-  /// SHA-256 over the kept fields (what a restart needs), in the order of their names.
+  /// SHA-256 over the kept fields (those that a restart needs), in the order of their names.
   std::string kept_sha256() const;
 
  private:

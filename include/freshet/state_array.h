@@ -6,12 +6,12 @@
 
 namespace freshet {
 
-/// An array of what a restart needs: `components` numbers for each of `count` particles. A view of
-/// an engine's memory; writing there restores it.
+/// An array of an engine's state: `components` numbers for each of `count` particles. It is a view
+/// of the engine's memory; writing through `data` restores the state.
 struct StateArray {
   enum class Number { int32, uint64, float32, float64 };
-  /// kept: a field of the fluid that counts in kept_sha256; fixed: of walls, which a restart makes
-  /// anew from the scene; other: what remains.
+  /// kept: a field of the fluid that counts in kept_sha256. fixed: a field of walls, which a
+  /// restart samples again from the scene. other: any other state.
   enum class Role { kept, other, fixed };
   std::string name;  ///< "SET/FIELD"
   std::byte* data;

@@ -10,19 +10,19 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The copies of one set: which particle each is of, and by which rules.
+/// The copies of one set: the source particle and the rules of each.
 template <int D> class Copies {
  public:
   using Rules = std::vector<CopyRule<D>>;
   struct Copy {
     int source;
-    std::uint32_t rules;  ///< bit r: rule r made it; several bits near edges and corners
+    std::uint32_t rules;  ///< bit mask of the rules that made it; several near edges and corners
   };
 
   explicit Copies(Rules rules = {}) : rules_(std::move(rules)) {}
   bool none() const { return rules_.empty(); }
   int size() const { return int(copies_.size()); }
-  /// How many fields' worth of room particles and copies need at most, over the particles.
+  /// The maximum number of particles and copies over the number of particles.
   int room() const {
     int room = 1, last = -1;
     for (const auto& rule : rules_) {
@@ -31,20 +31,20 @@ template <int D> class Copies {
     }
     return room;
   }
-  /// Whether copy k is due to this rule: the first of those that made it.
+  /// Whether `rule` is the first of the rules that made copy k.
   bool due_to(int k, int rule) const {
     const std::uint32_t rules = copies_[std::size_t(k)].rules;
     return (rules & -rules) == std::uint32_t(1) << rule;
   }
 
-  /// After particles came or went: there are none until the next search.
+  /// Removes all copies until the next search, after particles were added or removed.
   void forget() { copies_.clear(); }
 
-  /// Makes the copies of the particles with x, in the order of the particles.
+  /// Creates the copies of the particles at the positions p.x, in the order of the particles.
   void make(const Particles<D>& p, Real h) {
     const std::size_t most = std::size_t(p.n) * std::size_t(room() - 1);
     copies_.clear();
-    if (copies_.capacity() < most) {  // memory that is not touched is only promised
+    if (copies_.capacity() < most) {  // pages that are never written take no memory
       copies_.reserve(most + most / 2);
       sorted_.reserve(most + most / 2);
     }
@@ -60,14 +60,14 @@ template <int D> class Copies {
     }
     if (copies_.size() > most) throw std::length_error("more copies than a corner has");
   }
-  /// Sorts the copies: order[k] is the place of the k-th.
+  /// Sorts the copies: the k-th copy becomes the one that was at order[k].
   void permute(const int* order) {
     sorted_.resize(copies_.size());
     for (std::size_t k = 0; k < sorted_.size(); ++k) sorted_[k] = copies_[std::size_t(order[k])];
     copies_.swap(sorted_);
   }
 
-  /// Writes position, id and velocity behind those of the particles.
+  /// Writes position, id and velocity of the copies after those of the particles.
   void place(Particles<D>& p) const {
     p.copies = size();
     for (int k = 0; k < size(); ++k) {
@@ -77,11 +77,11 @@ template <int D> class Copies {
     }
     share(p, p.v);
   }
-  /// Copies learn new values of a field.
+  /// Updates a field at all copies.
   template <class T> void share(const Particles<D>& p, Field<T> field) const {
     share(p, field, 0, size());
   }
-  /// The copies begin to end - 1 learn new values of a field.
+  /// Updates a field at the copies begin to end - 1.
   template <class T> void share(const Particles<D>& p, Field<T> field, int begin, int end) const {
     for (int k = begin; k < end; ++k) field[p.n + k] = field[copies_[std::size_t(k)].source];
   }

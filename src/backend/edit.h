@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What both backends need to let particles come and go between steps.
+/// Helpers of both backends for adding and removing particles between steps.
 #pragma once
 #include <cstddef>
 #include <cstring>
@@ -10,9 +10,9 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// One array of a set, and the Field that points at it, which must stay where it is.
+/// One array of a set, and the Field that points to it. The Field must not move.
 struct FieldOfSet {
-  std::size_t bytes;  ///< a particle
+  std::size_t bytes;  ///< per particle
   Keep keep;
   void* field;
   void (*point)(void* field, std::byte* data);
@@ -23,7 +23,8 @@ struct FieldOfSet {
   }
 };
 
-/// Closes the gaps that those `gone` (ascending) leave among n values; the others keep their order.
+/// Removes the values with the indices `gone` (ascending) from n values. The others keep their
+/// order.
 inline void close_gaps(std::byte* data, std::size_t bytes, std::span<const int> gone, int n) {
   if (gone.empty()) return;
   std::size_t to = std::size_t(gone[0]) * bytes;
@@ -35,10 +36,11 @@ inline void close_gaps(std::byte* data, std::size_t bytes, std::span<const int> 
   }
 }
 
-/// The same where order does not matter: the last ones fill the gaps, so that it costs only them.
+/// Removes the values with the indices `gone` (ascending) from n values. The last values fill the
+/// gaps, so the order changes and the cost depends on the number of gaps only.
 inline void fill_gaps(std::byte* data, std::size_t bytes, std::span<const int> gone, int n) {
   const int left = n - int(gone.size());
-  std::size_t last = gone.size();  // of those gone, which are no fillers either
+  std::size_t last = gone.size();  // values in `gone` cannot be fillers
   int filler = n;
   for (const int gap : gone) {
     if (gap >= left) return;
@@ -47,8 +49,8 @@ inline void fill_gaps(std::byte* data, std::size_t bytes, std::span<const int> g
   }
 }
 
-/// How many particles to make room for where `needed` have none: half as many again, so that a set
-/// that grows on and on moves seldom.
+/// The new capacity of a set. If `needed` exceeds `room` it is 1.5 times `needed`, so that a
+/// growing set is reallocated seldom.
 inline int roomier(int needed, int room) { return needed > room ? needed + needed / 2 : room; }
 
 }  // namespace FRESHET_ISA

@@ -9,9 +9,9 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Sums of numbers as whole multiples of one unit: the same in any order, so that they depend on
-/// neither threads nor backends. The unit is the finest for which n numbers of at most `largest`
-/// cannot overflow 63 bits: each number is off by at most largest · n · 2^-62.
+/// Sums of numbers as integer multiples of one unit. They are equal in any order, so they depend
+/// neither on threads nor on backends. The unit is the smallest for which n numbers of at most
+/// `largest` cannot overflow 63 bits. The error of each number is at most largest · n · 2^-62.
 class FixedPoint {
  public:
   FixedPoint(double largest, std::int64_t n) : good_(std::isfinite(largest)) {
@@ -21,7 +21,7 @@ class FixedPoint {
   std::int64_t whole(double value) const {
     return good_ ? std::int64_t(std::nearbyint(value / unit_)) : 0;
   }
-  /// NaN where a number was not finite.
+  /// The sum as a number; NaN if `largest` is not finite.
   double value(std::int64_t sum) const {
     return good_ ? double(sum) * unit_ : std::numeric_limits<double>::quiet_NaN();
   }

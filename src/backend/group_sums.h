@@ -8,8 +8,8 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Sums of several numbers a particle over groups of particles, the same in any order. What is
-/// grouped is few: it is done by one thread.
+/// Sums of several numbers per particle over groups of particles. They are equal in any order. One
+/// thread computes them, because grouped sets are small.
 class GroupSums {
  public:
   /// sums[g][c] = sum of map(i).value[c] over the i < n with map(i).group == g.

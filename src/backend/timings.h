@@ -7,12 +7,12 @@
 
 namespace freshet {
 
-/// The cost of each verb so far, by its name.
+/// The accumulated cost of each verb, by name.
 class Timings {
  public:
   const std::vector<VerbTiming>& list() const { return list_; }
 
-  /// Adds the time until the end of the scope.
+  /// Measures the time until the end of the scope.
   class Scope {
    public:
     Scope(Timings& timings, const char* name, int targets);

@@ -27,7 +27,7 @@ Point times(const double (&m)[3][3], Point a) {
           m[2][0] * a.x + m[2][1] * a.y + m[2][2] * a.z};
 }
 
-/// m^-1 a, m symmetric and positive definite.
+/// m^-1 a for a symmetric positive definite m.
 Point solve(const double (&m)[3][3], Point a) {
   const Point r0{m[0][0], m[0][1], m[0][2]}, r1{m[1][0], m[1][1], m[1][2]},
       r2{m[2][0], m[2][1], m[2][2]};
@@ -90,7 +90,7 @@ void Bodies::restore() {
   last_forces_ = saved_forces_;
 }
 
-/// x = pivot + R (x0 - pivot) + translation
+/// A moved body is at x = pivot + R (x0 - pivot) + translation.
 BodyState Bodies::placed(std::size_t k, double time) const {
   BodyState state = states_[k];
   if (!impl_->motions[k]) return state;

@@ -23,8 +23,8 @@ btVector3 bullet(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 std::array<double, 3> array(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 btVector3 in_space(const Vector& v) { return {v[0], v[1], v.size() == 3 ? v[2] : 0.0}; }
 
-constexpr double margin = 0.02;  // of a shape's least half side: Bullet rounds edges by it
-constexpr int sweeps = 100;      // of the solver over contacts and hinges
+constexpr double margin = 0.02;  // over the smallest half side of a shape: Bullet's edge radius
+constexpr int sweeps = 100;      // iterations of the solver over contacts and hinges
 
 /// The triangles of a mesh, moved by -from.
 std::unique_ptr<btTriangleMesh> triangles_of(const TriangleMesh& mesh, Point from) {
@@ -36,14 +36,15 @@ std::unique_ptr<btTriangleMesh> triangles_of(const TriangleMesh& mesh, Point fro
   return all;
 }
 
-/// What something collides as.
+/// A collision shape and the memory that it refers to.
 struct Collider {
   std::unique_ptr<btTriangleMesh> triangles;
   std::unique_ptr<btCollisionShape> shape;
   btTransform place = btTransform::getIdentity();
 };
 
-/// A box, ball or cylinder about the origin; a cylinder is turned by `turn` from along y.
+/// A box, ball or cylinder around the origin. Bullet's cylinder is along y; `turn` rotates it to
+/// the region's axis.
 std::unique_ptr<btCollisionShape> shape_of(const Scene::Region& r, bool flat, btQuaternion& turn) {
   std::unique_ptr<btCollisionShape> shape;
   double least = r.radius;
@@ -68,7 +69,7 @@ std::unique_ptr<btCollisionShape> shape_of(const Scene::Region& r, bool flat, bt
 }  // namespace
 
 struct RigidWorld::Impl {
-  /// A body as Bullet has it: turned so that its inertia is diagonal.
+  /// A body in Bullet's axes, in which its inertia is diagonal.
   struct Body {
     Collider collider;
     btQuaternion turn = btQuaternion::getIdentity();
@@ -107,7 +108,8 @@ struct RigidWorld::Impl {
     if (flat) out.inertia[0] = out.inertia[1] = out.inertia[2];  // it turns about z only
     return out;
   }
-  /// Free: the convex hull of its corners, which is what Bullet can move.
+  /// The collider of a mesh. That of a free body is the convex hull, because Bullet cannot move
+  /// concave meshes.
   static void mesh(const Scene::Body& b, const BodyShape& shape, bool free, Body& out) {
     const TriangleMesh& m = b.loaded->distance.mesh();
     if (!free) {
@@ -185,7 +187,7 @@ struct RigidWorld::Impl {
 
 namespace {
 
-/// A world for one step, made anew so that no contact is remembered.
+/// A Bullet world for one step. It is created for each step, so that contacts are no hidden state.
 class Step {
  public:
   Step()
@@ -196,7 +198,7 @@ class Step {
     world_.getDispatchInfo().m_deterministicOverlappingPairs = true;
     btContactSolverInfo& info = world_.getSolverInfo();
     info.m_numIterations = sweeps;
-    info.m_splitImpulsePenetrationThreshold = 1e30;  // always: depth gives no speed
+    info.m_splitImpulsePenetrationThreshold = 1e30;  // penetration never adds speed
     info.m_restitutionVelocityThreshold = 0.05;
   }
   ~Step() {
@@ -212,7 +214,8 @@ class Step {
     info.m_friction = info.m_restitution = 1;
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     bodies_.back()->setActivationState(DISABLE_DEACTIVATION);
-    // What is but near is no contact: braked before it touches, a body would not bounce.
+    // Near bodies are no contact: Bullet would brake them before they touch, and they would not
+    // bounce.
     bodies_.back()->setContactProcessingThreshold(0);
     world_.addRigidBody(bodies_.back().get());
     return *bodies_.back();
@@ -262,7 +265,7 @@ void RigidWorld::step(std::vector<BodyState>& states, std::span<const Load> load
     b.setRestitution(scene.restitution);
     const btVector3 v = bullet(state.velocity), omega = bullet(state.angular_velocity);
     if (scene.motion == BodyMotion::moved) {
-      // Bullet takes a velocity from two places: this one and the one of dt before.
+      // Bullet derives the velocity of a kinematic body from this place and the one of dt before.
       b.setCollisionFlags(b.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
       btTransform before;
       btTransformUtil::integrateTransform(place, -v, -omega, dt, before);
@@ -283,7 +286,7 @@ void RigidWorld::step(std::vector<BodyState>& states, std::span<const Load> load
   btEmptyShape nothing;
   btRigidBody* world = nullptr;
   for (const Scene::Joint& joint : w.scene.joint) {
-    // where the hinge is on each of the two, as they stood at the start
+    // the hinge in the axes of each of the two bodies, from their initial positions
     const auto at = [&](std::size_t k, const btVector3& x) {
       const Point& c = w.shapes[k].center;
       return btMatrix3x3(w.bodies[k].turn).transpose() * (x - bullet(c));

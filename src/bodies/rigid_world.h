@@ -9,21 +9,21 @@
 
 namespace freshet {
 
-/// What pulls at a body beside what it touches [N, N m about its centre of mass].
+/// The load on a body without contacts [N, N m about its centre of mass].
 struct Load {
   std::array<double, 3> force{}, torque{};
 };
 
-/// Bodies that push each other and hang on hinges, by Bullet. Nothing is remembered from step to
-/// step: the bodies' places and velocities are all that the next one follows from.
+/// Contacts and hinges of rigid bodies, by Bullet. A step depends on the positions and velocities
+/// of the bodies only; there is no other state.
 class RigidWorld {
  public:
-  /// Of a scene with its defaults filled in; it and the shapes outlive this.
+  /// `scene` must have its defaults filled in. It and the shapes must outlive this.
   RigidWorld(const Scene& scene, const std::vector<BodyShape>& shapes);
   ~RigidWorld();
 
-  /// Moves the free bodies by dt. The others are where they were before the step, with the velocity
-  /// that they have over it.
+  /// Moves the free bodies by dt [s]. The other bodies must have their positions before the step
+  /// and their velocities over it.
   void step(std::vector<BodyState>& bodies, std::span<const Load> loads, double dt);
 
  private:

@@ -5,14 +5,14 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The sides of a box as a collision: a particle that left is pushed back and its normal velocity
-/// turned, v_n -> -restitution v_n [Mueller 2003, section 5: "push them out ... and reflect"].
+/// Reflection at the sides of a box. A particle outside is moved back and its normal velocity is
+/// reversed, v_n -> -restitution v_n [Mueller 2003, section 5: "push them out ... and reflect"]. A
 /// restitution e keeps e^2 of the normal kinetic energy: 0.5 loses 75 %.
 ///
 ///   min, max     corners of the box [m];   restitution  0 to 1
-///   sides        which sides are walls: bit 2k for min and 2k + 1 for max along axis k
-///   onto_wall    true: put onto the wall and turned, whichever way it flew (as in the article);
-///                false: put inside by restitution · its overshoot, and turned only if outbound
+///   sides        bit mask of the walls: bit 2k for min and 2k + 1 for max along axis k
+///   onto_wall    true: the particle is put onto the wall and always reversed, as in the article.
+///                false: it is put inside by restitution · overshoot and reversed if outbound
 template <int D> struct BoxWalls {
   Vec<D> min, max;
   Real restitution;
@@ -29,7 +29,7 @@ template <int D> struct BoxWalls {
   }
 
  private:
-  /// The wall at `wall`, whose inside lies towards `inward` (+1 or -1).
+  /// Reflects one component at the side at `wall`; `inward` is +1 or -1, the sign of its inside.
   FRESHET_HD void side(Real& x, Real& v, Real wall, Real inward) const {
     if (!((x - wall) * inward < 0)) return;  // a NaN stays a NaN
     const Real back = wall + restitution * (wall - x);

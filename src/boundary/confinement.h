@@ -7,7 +7,9 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// A shape whose surface turns particles back, as BoxWalls do.
+/// A shape whose surface reflects particles. A particle at depth -d in the wall is moved to
+/// restitution · (-d) in front of the surface. Its normal velocity v_n becomes -restitution v_n if
+/// it points into the wall.
 template <int D> struct Reflector {
   Solid<D> solid;
   Real restitution;
@@ -22,8 +24,8 @@ template <int D> struct Reflector {
   }
 };
 
-/// What keeps particles where they belong after a drift: reflecting sides of the domain, reflecting
-/// shapes, and axes that repeat. It notes the velocity that walls gave, for their force.
+/// Confines particles after a drift: reflecting sides of the domain, reflecting shapes, periodic
+/// axes. It records the velocity changes at walls, from which the wall forces follow.
 ///
 ///   period      length of each axis that repeats [m], else 0
 ///   bounced     per place of a particle and wall, the sum of the velocity changes, each over the

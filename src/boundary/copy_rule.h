@@ -5,18 +5,18 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Copies of particles near a plane: mirror images beyond it (ghosts), or images one period on.
+/// A rule that copies particles near a plane: mirror images beyond it (ghosts) or periodic images.
 ///
-///   mirror    x' = x - 2 d n, polar vectors flip their normal part; with no_slip velocities turn
-///             round altogether, so that the velocity between a particle and its ghost is zero
-///   periodic  x' = x + shift, all else the same
+///   mirror    x' = x - 2 d n; polar vectors reverse their normal part. With no_slip velocities are
+///             reversed completely: the mean velocity of a particle and its ghost is zero
+///   periodic  x' = x + shift; all other fields are equal
 template <int D> struct CopyRule {
   Vec<D> point, normal;  ///< on the plane [m]; unit, towards the fluid
   Vec<D> shift;          ///< [m]; zero for a mirror
   bool mirror, no_slip;
-  int axis;  ///< rules of one axis do not act on each other's copies
+  int axis;  ///< index of the axis; rules of one axis do not copy each other's copies
 
-  /// Whether x, not beyond the plane, is nearer to it than h.
+  /// Whether x lies on the fluid's side of the plane and closer to it than h [m].
   FRESHET_HD bool near(Vec<D> x, Real h) const {
     const Real d = dot(x - point, normal);
     return d >= 0 && d < h;

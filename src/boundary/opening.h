@@ -5,19 +5,19 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// A flat piece across `direction`, or a whole plane where no length bounds it. What is not given
-/// is infinite.
+/// A flat opening with the normal `direction`. Lengths that are not set are infinite; without any
+/// length it is a whole plane.
 ///
-///   direction, across, up     unit vectors at right angles; no up in 2D
-///   half_width, half_height   of a slit or a rectangle, along `across` and `up` [m]
+///   direction, across, up     orthogonal unit vectors; up is zero in 2D
+///   half_width, half_height   half the size of a slit or a rectangle along `across` and `up` [m]
 ///   radius                    of a disc [m]
 template <int D> struct Opening {
   Vec<D, double> center, direction, across, up;
   double half_width, half_height, radius;
 
-  /// How far x is before the piece, along its direction [m].
+  /// The distance of x in front of the plane, along `direction` [m].
   FRESHET_HD double ahead(Vec<D, double> x) const { return dot(x - center, direction); }
-  /// Whether the piece, `margin` wider, is there where x lies over its plane.
+  /// Whether the projection of x onto the plane lies in the opening, enlarged by `margin` [m].
   FRESHET_HD bool covers(Vec<D, double> x, double margin = 0) const {
     const double a = dot(x - center, across), b = dot(x - center, up);
     const double reach = radius + margin;
@@ -26,8 +26,8 @@ template <int D> struct Opening {
   }
 };
 
-/// Which way a particle went through the piece when it flew from x to x + d: 1 along its direction,
-/// -1 against it, 0 past it. What ends on the plane is through, what starts on it was.
+/// How a particle that moves from x to x + d crosses the opening: 1 along its direction, -1 against
+/// it, 0 not at all. Points on the plane count as in front of it.
 template <int D>
 FRESHET_HD int passed(const Opening<D>& piece, Vec<D, double> x, Vec<D, double> d) {
   const double from = piece.ahead(x), to = piece.ahead(x + d);

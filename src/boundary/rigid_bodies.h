@@ -8,11 +8,12 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Rigid bodies as a solver meets them in a step: how they move, how they answer to a push, and
-/// where on them their samples are.
+/// Rigid bodies during a step of a solver: their motion, their mobility and the places of their
+/// body particles. Twists are about the centre of mass.
 template <int D> struct RigidBodies {
   static constexpr int freedoms = D == 3 ? 6 : 3;
-  /// Velocity and angular velocity, or force and torque, about the centre of mass.
+  /// Velocity and angular velocity, or force and torque, about the centre of mass: D linear
+  /// components, then 1 (2D) or 3 (3D) angular ones.
   struct Twist {
     static constexpr int size = freedoms;
     double c[freedoms] = {};
@@ -31,15 +32,16 @@ template <int D> struct RigidBodies {
   };
 
   struct Body {
-    Twist motion{};            ///< what its samples move by [m/s, rad/s]
-    Twist pull{};              ///< what gravity and the like change of it [m/s^2, rad/s^2]
-    Twist acceleration{};      ///< as it is prescribed, or by the force of the last time asked
-    Twist impulse{};           ///< what the fluid gave it in this step [N s, N m s]
-    Twist force{};             ///< what the fluid did when it was last asked [N, N m]
-    Twist force_before{};      ///< and the time before
-    Twist push{};              ///< scratch of a solve: what its pressures change of the motion
-    Twist before{};            ///< scratch of a solve: the motion before
-    Twist mobility[freedoms];  ///< zeros: nothing moves it
+    Twist motion{};            ///< velocity of its particles [m/s, rad/s]
+    Twist pull{};              ///< acceleration by gravity and similar loads [m/s^2, rad/s^2]
+    Twist acceleration{};      ///< prescribed, or by the last force [m/s^2, rad/s^2]
+    Twist impulse{};           ///< by the fluid in this step [N s, N m s]
+    Twist force{};             ///< by the fluid at its last evaluation [N, N m]
+    Twist force_before{};      ///< by the fluid at the evaluation before [N, N m]
+    Twist push{};              ///< scratch of a solve: response to its pressures
+    Twist before{};            ///< scratch of a solve: motion at the previous iteration
+    Twist mobility[freedoms];  ///< rows of the inverse mass matrix; zeros: nothing moves it
+    /// The acceleration by a force and torque: mobility times `to`.
     Twist answer(const Twist& to) const {
       Twist a{};
       for (int i = 0; i < freedoms; ++i)
@@ -49,17 +51,17 @@ template <int D> struct RigidBodies {
   };
 
   std::vector<Body> all;
-  std::vector<int> body_of;    ///< by number of the sample
+  std::vector<int> body_of;    ///< index of the body, by index of the body particle
   std::vector<Vec<D>> arm;     ///< from the centre of mass, along the axes of space [m]
-  std::vector<Twist> totals;   ///< scratch
-  std::uint64_t first_id = 0;  ///< of samples in the set of walls; images follow
-  Real m = 0;                  ///< of a particle [kg]
-  bool respond = false;        ///< whether any of them is moved by the fluid
+  std::vector<Twist> totals;   ///< scratch: one per body
+  std::uint64_t first_id = 0;  ///< of body particles in the set of walls; images follow
+  Real m = 0;                  ///< mass of a fluid particle [kg]
+  bool respond = false;        ///< whether the fluid moves any of them
 
   int count() const { return int(all.size()); }
 };
 
-/// The velocity at a place of a body.
+/// The velocity at `arm` from the centre of mass of a body: v + omega x r [m/s].
 template <int D, class Twist> FRESHET_HD Vec<D> velocity_at(const Twist& t, Vec<D> arm) {
   if constexpr (D == 3)
     return {Real(t[0] + t[4] * double(arm.z) - t[5] * double(arm.y)),
@@ -67,7 +69,8 @@ template <int D, class Twist> FRESHET_HD Vec<D> velocity_at(const Twist& t, Vec<
             Real(t[2] + t[3] * double(arm.y) - t[4] * double(arm.x))};
   else return {Real(t[0] - t[2] * double(arm.y)), Real(t[1] + t[2] * double(arm.x))};
 }
-/// The acceleration there: a + alpha x r + omega x (omega x r).
+/// The acceleration at r = `arm` from the centre of mass: a + alpha x r + omega x (omega x r)
+/// [m/s^2].
 template <int D, class Twist>
 FRESHET_HD Vec<D> acceleration_at(const Twist& acceleration, const Twist& motion, Vec<D> arm) {
   const Twist &a = acceleration, &w = motion;
@@ -82,7 +85,7 @@ FRESHET_HD Vec<D> acceleration_at(const Twist& acceleration, const Twist& motion
             Real(a[1] + a[2] * r.x - w[2] * w[2] * r.y)};
   }
 }
-/// A force there, as force and torque.
+/// The force and torque about the centre of mass of a force f that acts at `arm`.
 template <int D> FRESHET_HD typename RigidBodies<D>::Twist wrench_of(Vec<D> f, Vec<D> arm) {
   const Vec<D, double> F = to_double(f), r = to_double(arm);
   if constexpr (D == 3)

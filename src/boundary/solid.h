@@ -8,9 +8,9 @@ inline namespace FRESHET_ISA {
 
 /// The distance to a shape's surface and the normal there.
 ///
-///   center     of the shape, or a point of the plane [m]
+///   center     of the shape, or a point on the plane [m]
 ///   half       half the sides of a box [m]
-///   axis       unit vector: along the cylinder, or the plane's normal
+///   axis       unit vector along the cylinder, or normal of the plane
 ///   radius, half_length   of a ball or cylinder [m]
 ///   fluid_inside          true: the fluid is inside (a tank); false: outside (an obstacle)
 template <int D, class R = Real> struct Solid {
@@ -19,21 +19,22 @@ template <int D, class R = Real> struct Solid {
   R radius = 0, half_length = 0;
   bool fluid_inside = false;
 
-  /// How far x is on the fluid's side of the surface [m]; negative in the wall. Exact on the
-  /// fluid's side of convex obstacles and everywhere for a ball and a plane; elsewhere to the
-  /// nearest face.
+  /// The distance of x from the surface [m]: positive on the fluid's side, negative in the wall. It
+  /// is exact for a ball and a plane, and on the fluid's side of convex obstacles. Elsewhere it is
+  /// the distance from the nearest face.
   FRESHET_HD R distance(Vec<D, R> x) const {
     const R outside = outer_distance(x - center);
     return fluid_inside ? -outside : outside;
   }
-  /// Towards the fluid.
+  /// The unit normal at the point of the surface nearest to x; it points towards the fluid.
   FRESHET_HD Vec<D, R> normal(Vec<D, R> x) const {
     const Vec<D, R> n = outer_normal(x - center);
     return fluid_inside ? R(-1) * n : n;
   }
 
  private:
-  /// A box and a cylinder as overhangs over their faces: q_k > 0 is beyond face k.
+  /// A box and a cylinder are described by overhangs q_k, signed distances from the planes of their
+  /// faces: q_k > 0 is beyond face k.
   FRESHET_HD R outer_distance(Vec<D, R> y) const {
     if (kind == SolidKind::plane) return dot(y, axis);
     if (kind == SolidKind::ball) return norm(y) - radius;

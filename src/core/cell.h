@@ -7,10 +7,9 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The bricks that space is cut into, counted from the origin: a support radius along y and z, and
-/// `Cells::split` of them to a support radius along x. All backends visit neighbours cell by cell
-/// in row-major order (x fastest) and by id inside a cell: an order that depends on the state
-/// alone.
+/// A cell of the search grid, counted from the origin. A cell is a support radius wide along y and
+/// z, and 1/`Cells::split` of it along x. All backends visit neighbours cell by cell in row-major
+/// order (x fastest) and by id inside a cell. This order depends on the state alone.
 template <int D> struct Cell {
   std::int32_t c[D];
   FRESHET_HD bool operator==(const Cell& o) const {
@@ -25,19 +24,19 @@ template <int D> struct Cell {
   }
 };
 
-/// Which cell a position lies in.
+/// Maps positions to cells.
 template <int D> class Cells {
  public:
   static constexpr int split = 4;
 
   Cells() = default;
-  /// A hair larger than the support radius, and computed in doubles, so that no rounding parts
-  /// neighbours by more than `split` cells along x, or one along the others.
+  /// The side is larger than the support radius by 1e-9 of it and is computed in double. Rounding
+  /// can therefore not separate neighbours by more than `split` cells along x, or by more than one
+  /// cell along y and z.
   explicit Cells(Real support_radius)
       : side_(double(support_radius) * (1 + 1e-9)), inverse_(1 / side_) {}
 
-  /// x along axis d, counted in cells; a flight beyond all bounds ends at the last cell, and so
-  /// does a NaN.
+  /// x along axis d in units of cells, clamped to ±1e9. A NaN is mapped to the last cell.
   FRESHET_HD double along(Real x, int d) const {
     const double c = double(x) * (d == 0 ? split * inverse_ : inverse_);
     const double below = c < last ? c : last;
@@ -48,7 +47,7 @@ template <int D> class Cells {
     for (int d = 0; d < D; ++d) cell.c[d] = floor(along(component(x, d), d));
     return cell;
   }
-  /// Where a cell begins along an axis.
+  /// The lower end of a cell along axis d [m].
   FRESHET_HD double begin(double c, int d) const { return c * (d == 0 ? side_ / split : side_); }
   FRESHET_HD static std::int32_t floor(double c) {
     const auto toward_zero = std::int32_t(c);

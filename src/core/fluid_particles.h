@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What every solver's fluid has, and the liquids that its particles are of.
+/// The fluid fields that all solvers share, and the liquids of a scene.
 #pragma once
 #include "core/field.h"
 
@@ -8,12 +8,12 @@ inline namespace FRESHET_ISA {
 
 template <int D> struct FluidParticles : Particles<D> {
   Field<Vec<D>> a;     ///< acceleration [m/s^2]
-  Field<Real> rho, p;  ///< density as if all were the densest liquid [kg/m^D], pressure [Pa]
-  Field<int> kind;     ///< kept: number of the liquid; no memory where there is but one
+  Field<Real> rho, p;  ///< density scaled to the densest liquid [kg/m^D], pressure [Pa]
+  Field<int> kind;     ///< kept: index of the liquid; no memory for one liquid
   FRESHET_HD int liquid(int i) const { return kind.data ? kind[i] : 0; }
 };
 
-/// A liquid beside the densest, whose rest density is rho0.
+/// A liquid relative to the densest liquid, whose rest density is rho0.
 struct Liquid {
   Real lightness = 1;        ///< rho0 over its own rest density, >= 1
   Real nu = 0;               ///< its dynamic viscosity over rho0 [m^2/s]
@@ -30,11 +30,13 @@ struct PerLiquid {
   FRESHET_HD Real operator[](int i) const { return of[kind.data ? kind[i] : 0]; }
 };
 
-/// The liquids of a scene. Several have volumes in common, not masses [Solenthaler and Pajarola
-/// 2008, eqs. 5 to 9]: with s = V sum_j W_ij and p of the same s for all, dv_i/dt =
-/// -V/rho0_i sum_j (p_i/s_i^2 + p_j/s_j^2) grad W_ij. So all of them compute with rho = rho0 s and
-/// m = rho0 V of the densest, and only what a force comes to at last asks for a particle's liquid:
-/// it accelerates one by its lightness more.
+/// The liquids of a scene. Their particles have equal volumes V, not equal masses [Solenthaler and
+/// Pajarola 2008, eqs. 5 to 9]. With s = V sum_j W_ij and p a function of s for all liquids,
+///
+///   dv_i/dt = -V/rho0_i sum_j (p_i/s_i^2 + p_j/s_j^2) grad W_ij
+///
+/// All particles therefore compute with rho = rho0 s and m = rho0 V of the densest liquid. The
+/// resulting acceleration is multiplied by the lightness of the particle's liquid.
 struct Liquids {
   static constexpr int most = PerLiquid::most;
   Liquid liquid[most];

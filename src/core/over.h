@@ -15,7 +15,7 @@ template <int D, class TermT> struct Over {
   Particles<D> set;
   Term term;
   int only_copies_of =
-      -1;  ///< a number: only j that are copies by this rule (boundary/copy_rule.h)
+      -1;  ///< index of a rule (boundary/copy_rule.h): sums over its copies only; -1: over all j
   template <class R>
   using Sum = decltype(std::declval<Term>()(std::declval<Pair<D, R>>(),
                                             std::declval<typename Term::template At<R>>(),
@@ -29,7 +29,7 @@ Over<D, Term> over_copies(int rule, const Particles<D>& set, const Term& term) {
   return {set, term, rule};
 }
 
-/// f(last, others...) of its arguments: a verb's sources, and the finish that stands behind them.
+/// Calls f(last, others...). A verb takes its sources first and its finish last.
 template <class F, class... A> void with_last_first(const F& f, const A&... a) {
   constexpr std::size_t last = sizeof...(A) - 1;
   const auto all = std::tie(a...);

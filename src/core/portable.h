@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What one source needs so that g++, clang and nvcc take it, on every instruction set.
+/// Macros and functions that let g++, clang and nvcc compile one source for every instruction set.
 #pragma once
 #include <cmath>
 
@@ -24,7 +24,7 @@ inline namespace FRESHET_ISA {
 
 constexpr Real pi = Real(3.14159265358979323846);
 
-/// a where m holds, else b: the branch-free form that also works lane by lane.
+/// m ? a : b without a branch. SIMD packs overload it lane by lane.
 FRESHET_HD float select(bool m, float a, float b) { return m ? a : b; }
 FRESHET_HD double select(bool m, double a, double b) { return m ? a : b; }
 FRESHET_HD float sqrt(float a) { return ::sqrtf(a); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Rotations in three dimensions, as unit quaternions x, y, z, w.
+/// Rotations in three dimensions as unit quaternions x, y, z, w.
 #pragma once
 #include <array>
 #include <cmath>
@@ -11,7 +11,7 @@ inline namespace FRESHET_ISA {
 
 using Quaternion = std::array<double, 4>;
 
-/// p q: first q, then p.
+/// The rotation p q: first q, then p.
 inline Quaternion product(const Quaternion& p, const Quaternion& q) {
   return {p[3] * q[0] + p[0] * q[3] + p[1] * q[2] - p[2] * q[1],
           p[3] * q[1] - p[0] * q[2] + p[1] * q[3] + p[2] * q[0],
@@ -20,7 +20,7 @@ inline Quaternion product(const Quaternion& p, const Quaternion& q) {
 }
 inline Quaternion inverse(const Quaternion& q) { return {-q[0], -q[1], -q[2], q[3]}; }
 
-/// By the length of `turn` about its direction [rad].
+/// The rotation about the direction of `turn` by its length [rad].
 inline Quaternion rotation_by(Vec<3, double> turn) {
   const double angle = norm(turn);
   if (!(angle > 0)) return {0, 0, 0, 1};
@@ -28,7 +28,7 @@ inline Quaternion rotation_by(Vec<3, double> turn) {
   return {s * turn.x, s * turn.y, s * turn.z, std::cos(angle / 2)};
 }
 
-/// As a matrix, for many vectors.
+/// A rotation as a matrix, which is faster for many vectors.
 class Rotation {
  public:
   explicit Rotation(const Quaternion& q) {
@@ -40,7 +40,7 @@ class Rotation {
   Vec<3, double> operator()(Vec<3, double> a) const {
     return {dot(row_[0], a), dot(row_[1], a), dot(row_[2], a)};
   }
-  /// Back.
+  /// The inverse rotation of a.
   Vec<3, double> inverse(Vec<3, double> a) const {
     return a.x * row_[0] + a.y * row_[1] + a.z * row_[2];
   }

@@ -7,12 +7,12 @@
 
 namespace freshet {
 
-/// SHA-256 [FIPS 180-4] of bytes added piece by piece. Our own, so that a simulation in memory
-/// needs no cryptographic library.
+/// SHA-256 [FIPS 180-4] of bytes added in pieces. With it freshet_sim needs no cryptographic
+/// library.
 class Sha256 {
  public:
   void add(const void* data, std::size_t bytes);
-  /// 64 hexadecimal digits. To be called once.
+  /// The digest as 64 hexadecimal digits. Call it once: it pads the message.
   std::string hex();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What the readers of text files share.
+/// Helpers for readers of text files.
 #pragma once
 #include <algorithm>
 #include <charconv>
@@ -9,10 +9,10 @@
 
 namespace freshet {
 
-/// The axes in the names of columns.
+/// The names of the axes in column names.
 inline constexpr const char* axis_letters[] = {"x", "y", "z"};
 
-/// Takes a line off the front, without its end.
+/// Removes the first line from `bytes` and returns it without its line end (LF or CRLF).
 inline std::string_view take_line(std::string_view& bytes) {
   const auto end = std::min(bytes.find('\n'), bytes.size());
   std::string_view line = bytes.substr(0, end);
@@ -27,7 +27,7 @@ inline std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
 }
 
-/// The number that the whole text is.
+/// The whole text as a number; empty if it is not a number.
 inline std::optional<double> number_in(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Small vectors in 2D and 3D, and what a pair term is given of a pair of particles.
+/// Small vectors in 2D and 3D, and the geometry of a pair of particles.
 #pragma once
 #include <type_traits>
 
@@ -27,7 +27,7 @@ template <class R> struct DividedBy {
   FRESHET_HD R operator()(R a, R) const { return a / s; }
 };
 
-/// f on each component; the one place that knows how many there are.
+/// f(a_k, b_k) for each component k.
 template <int D, class R, class F> FRESHET_HD Vec<D, R> each(Vec<D, R> a, Vec<D, R> b, F f) {
   if constexpr (D == 3) return {f(a.x, b.x), f(a.y, b.y), f(a.z, b.z)};
   else return {f(a.x, b.x), f(a.y, b.y)};
@@ -59,7 +59,7 @@ template <class R> FRESHET_HD Vec<3, R> cross(Vec<3, R> a, Vec<3, R> b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Component k of a, in scalar code that is not hot.
+/// Component k of a. It branches on k: use it in scalar code outside hot loops.
 template <int D, class R> FRESHET_HD R& component(Vec<D, R>& a, int k) {
   if constexpr (D == 3) return k == 0 ? a.x : k == 1 ? a.y : a.z;
   else return k == 0 ? a.x : a.y;
@@ -70,14 +70,14 @@ template <int D> FRESHET_HD Vec<D, double> to_double(Vec<D> a) {
   else return {double(a.x), double(a.y)};
 }
 
-/// The pair (i, j). What a term does not use costs nothing.
+/// The geometry of the pair (i, j). The compiler removes what a pair term does not use.
 template <int D, class R> struct Pair {
   Vec<D, R> x;  ///< x_ij = x_i - x_j  [m]
   R r2, r;      ///< |x_ij|^2 [m^2], |x_ij| [m]
   FRESHET_HD explicit Pair(Vec<D, R> x_ij) : x(x_ij), r2(norm2(x_ij)), r(sqrt(r2)) {}
 };
 
-/// At<R> of a term that reads positions only.
+/// The At<R> and Neighbor<R> of a term that reads positions only.
 template <class R> struct Nothing {};
 
 }  // namespace FRESHET_ISA

@@ -12,8 +12,8 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Accelerations beside the solver's own [m/s^2]: the body force b(x, t) of a plan, and a custom
-/// force of the caller.
+/// Accelerations that the solver does not compute [m/s^2]: the body force b(x, t) of a plan, and a
+/// custom force of the caller.
 template <int D> class BodyForce {
  public:
   using Custom = std::function<void(double time, std::span<double> acceleration)>;
@@ -24,15 +24,15 @@ template <int D> class BodyForce {
 
   void set_custom(Custom force) { custom_ = std::move(force); }
 
-  /// Whether a step takes half of it at its beginning and half at its end.
+  /// Whether a step applies half of the force at its start and half at its end.
   bool halved() const { return second_order_ && (b_ || custom_); }
-  /// v + dt b(x, time)
+  /// v += dt b(x, time)
   void push(const Particles<D>& f, double time, double dt) {
     each(f, time, [&](int i, Vec<D, double> b) {
       for (int k = 0; k < D; ++k) component(f.v[i], k) += Real(dt * component(b, k));
     });
   }
-  /// max |b|, 0 without one.
+  /// max |b| [m/s^2]; 0 without a force.
   double greatest(const Particles<D>& f, double time) {
     double most2 = 0;
     each(f, time, [&](int, Vec<D, double> b) { most2 = std::max(most2, norm2(b)); });

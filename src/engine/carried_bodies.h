@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Puts the bodies of a scene to where the solver meets them, and takes its forces to them.
+/// The link between Bodies and a solver: it places the body particles for a step, and applies the
+/// forces of the fluid to the bodies after it.
 #pragma once
 #include <map>
 
@@ -11,11 +12,11 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// When in a step a solver finds its forces, and what they do: bodies are put to where they are
-/// then.
+/// The time within a step at which a solver evaluates its forces. Bodies are placed at their
+/// positions at that time.
 struct ForceMoment {
-  double share;  ///< of the step that is gone
-  bool mean;     ///< the velocity changes by the mean of the forces before and after the step
+  double share;  ///< fraction of the step, 0 to 1
+  bool mean;     ///< velocities change by the mean of the forces before and after the step
 };
 
 template <int D> class CarriedBodies {
@@ -52,10 +53,11 @@ template <int D> class CarriedBodies {
   const Bodies& bodies() const { return bodies_; }
   int samples() const { return int(local_.size()); }
   int body_of(int sample) const { return rigid_.body_of[std::size_t(sample)]; }
-  /// How many times a sample stands among those of walls: with its images.
+  /// The number of times that a body particle is in the set of walls: itself and its images.
   int places() const { return 1 << periodic_.size(); }
 
-  /// psi of the samples of each body, as if it were alone [Akinci 2012, eqs. 4 and 5].
+  /// psi [kg] of the particles of each body, without other bodies and walls [Akinci 2012, eqs. 4
+  /// and 5].
   template <class Kernel> std::vector<Real> psi(const Kernel& W, Real support, Real rho0) const {
     std::map<std::array<std::int64_t, 4>, std::vector<int>> cells;
     const auto cell = [&](int k, const int(&off)[3]) {
@@ -82,7 +84,7 @@ template <int D> class CarriedBodies {
     return all;
   }
 
-  /// Before a step of dt from `time` on: samples to their places.
+  /// Before a step of dt from `time` on: sets the bodies' motion and places their particles.
   void begin(Walls<D>& walls, double time, double dt) {
     const double ahead = moment_.share * dt;
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -110,7 +112,7 @@ template <int D> class CarriedBodies {
     turn_.clear();
     center_.clear();
   }
-  /// After it: the bodies move.
+  /// After a step of dt from `time` on: moves the bodies by the forces of the fluid.
   void end(double time, double dt, bool iterates) {
     std::vector<SixNumbers> forces(bodies_.size());
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -133,7 +135,7 @@ template <int D> class CarriedBodies {
     return {leapfrog ? 1 : p.integrator == Integrator::verlet ? 0.5 : 0, leapfrog};
   }
   static constexpr int freedoms = RigidBodies<D>::freedoms;
-  /// Which of six numbers a twist's i-th is.
+  /// The index in SixNumbers of the i-th component of a twist.
   static constexpr int axis(int i) { return D == 3 || i < 2 ? i : 5; }
   static Twist flat(const SixNumbers& six) {
     Twist t{};
@@ -171,7 +173,8 @@ template <int D> class CarriedBodies {
       wall.x[k] = flat(image(places_[number % n], number / n));
     }
   }
-  /// Bit p of `images`: beyond the nearer end of the p-th periodic axis, on the other side.
+  /// The image of x. Bit p of `images` shifts it by one period along the p-th periodic axis, away
+  /// from the nearer end.
   Vec<3, double> image(Vec<3, double> x, std::uint64_t images) const {
     for (std::size_t p = 0; p < periodic_.size(); ++p) {
       double& a = component(x, periodic_[p]);
@@ -184,8 +187,8 @@ template <int D> class CarriedBodies {
   ForceMoment moment_;
   bool layered_;
   RigidBodies<D> rigid_;
-  std::vector<Vec<3, double>> local_, places_,
-      center_;  // from the centre of mass at the start; now
+  // local_: from the centre of mass at the start; places_: positions now; center_: of mass, now
+  std::vector<Vec<3, double>> local_, places_, center_;
   std::vector<Rotation> turn_;
   std::vector<int> periodic_;
   std::vector<double> low_, length_;

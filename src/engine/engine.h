@@ -18,22 +18,23 @@ namespace freshet {
 
 struct EnginePlan;
 
-/// A solver on a backend, as the simulation sees it: no template, no instruction set, no threads.
+/// The interface of a solver on a backend, without templates, instruction sets and threads.
 class Engine {
  public:
   virtual ~Engine() = default;
-  /// A step of dt from `time` on [s]. Returns the results of its solves.
+  /// Takes a step of dt from `time` on [s]. Returns the results of its solves.
   virtual Solves step(double time, double dt) = 0;
-  /// After an accepted step that ended at `time`: moves the particles that inlets hold, counts, and
-  /// adds and removes particles.
+  /// After an accepted step that ended at `time`: moves the particles that inlets hold, counts
+  /// particles, and adds and removes particles.
   virtual void flow(double time, double dt) = 0;
-  /// The particles so far through each of Scene::flow_names(), then those waiting at each inlet.
+  /// The number of particles through each of Scene::flow_names() since the start, then the number
+  /// of particles that wait at each inlet.
   virtual std::vector<std::int64_t> flow_counts() const = 0;
-  /// Gives the fluid n particles, whose state the caller will write.
+  /// Resizes the fluid to n particles, whose state the caller writes.
   virtual void resize(std::int64_t n) = 0;
-  /// Rolls the last step back. Only for solvers that iterate.
+  /// Rolls the last step back. Only for pressure solvers.
   virtual void undo() = 0;
-  /// The bounds of a step from `time` on, by the state and the accelerations of the last step.
+  /// The bounds of a step from `time` on [s], by the state and the accelerations of the last step.
   virtual TimeStepBounds bounds(double time) = 0;
   virtual ParticleView fluid() const = 0;
   /// The positions, velocities and numbers of the liquids of fluid(), to be written between steps.
@@ -46,8 +47,8 @@ class Engine {
   virtual void remove(std::span<const int> places) = 0;
   /// Changes gravity from the next step on [m/s^2].
   virtual void set_gravity(const Triple& gravity) = 0;
-  /// Adds to the acceleration of each particle of fluid() at a time [s], D numbers per particle
-  /// [m/s^2]; empty: nothing.
+  /// Adds to the acceleration of each particle of fluid() at `time` [s], D numbers per particle
+  /// [m/s^2]. An empty function adds nothing.
   using AddForce = std::function<void(double time, std::span<double> acceleration)>;
   virtual void set_force(AddForce force) = 0;
   virtual std::vector<BodyState> bodies() const = 0;
@@ -59,13 +60,13 @@ class Engine {
   /// See Simulation::tractions; `cell` is the width of a boundary particle's share of the wall [m].
   virtual std::vector<Vector> tractions(const std::vector<WallPatch>& patches, double cell) = 0;
   virtual const std::vector<VerbTiming>& timings() const = 0;
-  /// All arrays that the next steps follow from, besides the plan. Writing to them restores a
-  /// state, after continue_from has set the number of steps.
+  /// All arrays of the state. Writing to them restores a state, after continue_from has set the
+  /// number of steps.
   virtual std::vector<StateArray> state() = 0;
   virtual void continue_from(std::int64_t steps) = 0;
 };
 
-/// Makes an engine; null where the build lacks the plan's solver.
+/// Makes an engine; null if the build lacks the plan's solver.
 using MakeEngine = std::unique_ptr<Engine>(const EnginePlan&);
 
 }  // namespace freshet

@@ -185,7 +185,7 @@ template <int D, class B> class EngineOf final : public Engine {
           [=] { return std::int64_t(count); }, StateArray::Role::other);
     });
   }
-  /// The memory of what keeps particles in place.
+  /// Creates the reflecting shapes and the memory of their velocity changes.
   void confine(const EnginePlan& p) {
     for (const ReflectorPlan& r : p.reflectors) {
       reflectors_.push_back({solid_of<D, Real>(r.solid), Real(r.restitution)});
@@ -199,8 +199,8 @@ template <int D, class B> class EngineOf final : public Engine {
         [this] { return std::int64_t(bounced_.size()); }, StateArray::Role::other);
     make_room_for_bounces();
   }
-  /// Sums over particles do not depend on whose bounce it was: where the particles are fewer now,
-  /// the first ones take over the bounces of the places that are gone.
+  /// Resizes the memory of velocity changes at reflecting walls. Only sums over particles are used:
+  /// if the number of particles falls, the first particles take the values of the removed entries.
   void make_room_for_bounces() {
     Confinement<D>& c = stepper_->confinement();
     const auto walls = std::size_t(c.walls());
@@ -220,7 +220,7 @@ template <int D, class B> class EngineOf final : public Engine {
     lists_are_stale_ = true;
   }
 
-  /// The body particles once more, as targets of the fluid's forces.
+  /// Creates the second set of body particles, the targets of the fluid's forces.
   void make_bodies(const EnginePlan& p) {
     bodies_ = std::make_unique<CarriedBodies<D>>(p, walls_);
     if (p.layered_bodies) {
@@ -281,7 +281,7 @@ template <int D, class B> class EngineOf final : public Engine {
     B& backend = store_.backend;
     if (std::exchange(lists_are_stale_, false)) search_between_steps();
     Walls<D> walls = walls_;
-    walls.akinci2012.moves = walls.adami2012.moves = false;  // sorted since the last search
+    walls.akinci2012.moves = walls.adami2012.moves = false;  // they are sorted already
     for (const Particles<D>* wall : std::initializer_list<const Particles<D>*>{
              &walls.akinci2012, &walls.adami2012, &walls.monaghan2009})
       if (wall->n > 0) backend.list_neighbors("wall forces", support_, *wall, fluid_);
@@ -290,7 +290,7 @@ template <int D, class B> class EngineOf final : public Engine {
   }
 
   std::unique_ptr<Stepper<D, B>> stepper_;
-  std::unique_ptr<NonPressureForces<D, B>> forces_;  // null where there are none
+  std::unique_ptr<NonPressureForces<D, B>> forces_;  // null: none
   FluidParticles<D>& fluid_;                         // the stepper's
   Store<D, B> store_;
   Walls<D>& walls_;

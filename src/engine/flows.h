@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Inlets, outlets and counters of a fluid: what happens between its steps.
+/// Inlets, outlets and counters of a fluid. They act between steps.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -12,12 +12,11 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// What the flows of a scene do to the particles. It gives them fields of its own, where there is
-/// something to remember, both kept:
+/// The flows of a scene. They add kept fields to the fluid where a scene needs them:
 ///
-///   held        0: free; else which place of which layer of which inlet moves the particle,
-///               whatever the solver would
-///   x_counted   where the counters last saw it [m]
+///   held        0: free; else 1 + the index of the target (inlet, layer, place) that moves the
+///               particle in place of the solver
+///   x_counted   position at the last count [m]
 template <int D> class Flows {
  public:
   explicit Flows(const EnginePlan& p) {
@@ -39,13 +38,13 @@ template <int D> class Flows {
   bool change_particles() const { return !inlets_.empty() || !outlets_.empty(); }
   bool any() const { return change_particles() || !counters_.empty(); }
 
-  /// visit(name, keep, field) of the fields that this scene needs.
+  /// Calls visit(name, keep, field) for the fields that this scene needs.
   template <class Visit> void fields(Visit visit) {
     if (!inlets_.empty()) visit("held", Keep::kept, held_);
     if (!counters_.empty()) visit("x_counted", Keep::kept, x_counted_);
     if (!outlets_.empty() || !counters_.empty()) visit("mark", Keep::scratch, mark_);
   }
-  /// visit(name, data, count) of what else has to be remembered, 64-bit numbers.
+  /// Calls visit(name, data, count) for the other state, arrays of 64-bit numbers.
   template <class Visit> void numbers(Visit visit) {
     visit("flows/next_id", &next_id_, std::size_t(1));
     if (inlets_.empty() && counts_.empty()) return;
@@ -56,7 +55,8 @@ template <int D> class Flows {
       visit(at + "_crossings", inlets_[k].crossings().data(), inlets_[k].crossings().size());
     }
   }
-  /// Particles so far through each inlet, outlet and counter, then those that wait at each inlet.
+  /// The number of particles through each inlet, outlet and counter since the start, then the
+  /// number of particles that wait at each inlet.
   std::vector<std::int64_t> counts() const {
     std::vector<std::int64_t> all;
     for (const InletClock& inlet : inlets_)
@@ -66,7 +66,7 @@ template <int D> class Flows {
     return all;
   }
 
-  /// Before the first step: the particles that the fluid starts with.
+  /// Call before the first step with the initial fluid.
   void begin(const Particles<D>& f) {
     next_id_ = std::uint64_t(f.n);
     for (int i = 0; i < f.n && !counters_.empty(); ++i) x_counted_[i] = f.x[i];
@@ -104,7 +104,7 @@ template <int D> class Flows {
     bool through;
   };
 
-  /// Where a place of an opening is, `ahead` of it.
+  /// The position of a place of an opening, moved by `ahead` [m] along the direction.
   static Vec<D> moved(const InletPlan& plan, std::size_t place, double ahead) {
     Vec<D> x{};
     for (std::size_t k = 0; k < D; ++k)
@@ -117,7 +117,7 @@ template <int D> class Flows {
     return v;
   }
 
-  /// Puts what inlets hold where it ought to be, and lets go of what is through.
+  /// Moves the particles that inlets hold, and frees those past the opening.
   template <class B> void hold(B& backend, const Particles<D>& f, double time) {
     if (inlets_.empty()) return;
     for (std::size_t k = 0; k < inlets_.size(); ++k) {
@@ -140,7 +140,7 @@ template <int D> class Flows {
     });
   }
 
-  /// Over an axis that repeats, the shorter way.
+  /// The shorter displacement along a periodic axis [m].
   static double shorter(double way, double period) {
     if (!(period > 0)) return way;
     return way > period / 2 ? way - period : way < -period / 2 ? way + period : way;
@@ -157,7 +157,7 @@ template <int D> class Flows {
         const auto flown = to - from;
         const auto way = each(flown, period, [](double a, double p) { return shorter(a, p); });
         mark[i] = passed(piece, from, way);
-        // beyond an end that repeats it came in at the other
+        // it crossed a periodic end: count the part of its path at the other end as well
         if (norm2(way - flown) > 0) mark[i] += passed(piece, to - way, way);
       });
       counts_[outlets_.size() + c] +=
@@ -166,7 +166,7 @@ template <int D> class Flows {
     backend.for_each("flows", f, [=](int i) { before[i] = f.x[i]; });
   }
 
-  /// Those that are in an outlet, and free.
+  /// Finds the free particles inside an outlet.
   template <class B> void find_gone(B& backend, const Particles<D>& f) {
     gone_.clear();
     if (outlets_.empty()) return;
@@ -212,7 +212,7 @@ template <int D> class Flows {
   std::vector<Opening<D>> counters_;
   Vec<D, double> period_{};
   std::vector<int> first_target_;  // by inlet
-  std::vector<Target> targets_;    // of every place of every layer that is held
+  std::vector<Target> targets_;    // of every place of every held layer
   std::vector<int> gone_;
   std::vector<std::int64_t> counts_;  // of the outlets, then the counters
   std::uint64_t next_id_ = 0;

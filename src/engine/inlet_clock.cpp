@@ -9,17 +9,17 @@ namespace freshet {
 InletClock::InletClock(InletPlan plan)
     : plan_(std::move(plan)), crossings_(std::size_t(plan_.layers) + 2) {}
 
-/// Whether another layer is there by now, and when it goes through the opening.
+/// Whether another layer is due by `time`, and when it crosses the opening [s].
 bool InletClock::next(double time, double dt, double& crossing) const {
   if (time < plan_.start) return false;
   const double period = plan_.spacing / plan_.speed, hair = 1e-9 * plan_.spacing;
-  // a hair early: what is through at the end of a step is so whichever way that was rounded
+  // 1e-9 periods early, so that rounding does not delay a crossing at the end of a step
   crossing = plan_.start + (double(state.born) + 0.5 - 1e-9) * period;
   const bool at_start = state.born < std::uint64_t(plan_.layers);
   if (plan_.outlet >= 0 && !at_start) {
     if (state.waiting < plan_.particles()) return false;
     const double after = crossings_[(state.born - 1) % crossings_.size()] + period;
-    // what had to wait for its particles comes in at the back
+    // a layer that had to wait for its particles starts at the back of the zone
     const double ahead = plan_.speed * (time - after);
     const bool in_time = ahead < birth() + plan_.speed * dt + hair;
     crossing = in_time ? after : time - birth() / plan_.speed;
@@ -33,7 +33,7 @@ void InletClock::advance(double time, double dt) {
   for (double crossing; next(time, dt, crossing); ++state.born) {
     const bool again = plan_.outlet >= 0 && state.born >= std::uint64_t(plan_.layers);
     if (again) state.waiting -= plan_.particles();
-    // in a long step layers may come and go at once
+    // in a long step a layer may enter and pass the opening at once
     if (state.born - state.through == crossings_.size()) ++state.through;
     crossings_[state.born % crossings_.size()] = crossing;
     fresh_.push_back({state.born, crossing});

@@ -7,43 +7,45 @@
 
 namespace freshet {
 
-/// When the layers of an inlet come in, and where they are. All that it remembers is in `State`.
+/// The schedule of the layers of an inlet, and their positions. Its state is `state` and the
+/// crossing times.
 ///
-/// Layer k goes through the opening at start + (k + 1/2) spacing/speed, so that what has come in by
-/// a time is the flow to within half a layer; before that it moves with the inlet's speed. It comes
-/// into being half a spacing before the zone's back, or where it is by then. At `start` the zone is
-/// filled.
+/// Layer k crosses the opening at start + (k + 1/2) spacing/speed, so the emitted volume is exact
+/// to half a layer. Before that it moves with the inlet's speed. It is created half a spacing in
+/// front of the back of the zone, or further on if the step is long. At `start` the zone is filled.
 ///
-/// An inlet that recycles brings so many layers at the start, and each further one when as many
-/// particles wait as it has places, and the one before has made room.
+/// A recycling inlet creates the layers of the zone at the start. It creates a further layer when
+/// enough particles wait and the previous layer has made room.
 class InletClock {
  public:
   struct State {
-    std::uint64_t born = 0, through = 0;  ///< layers so far, and those of them past the opening
-    std::uint64_t waiting = 0;            ///< particles that are to come in again
+    std::uint64_t born = 0, through = 0;  ///< layers created, and those of them past the opening
+    std::uint64_t waiting = 0;            ///< particles that left and are not yet emitted again
   };
   explicit InletClock(InletPlan plan);
 
   const InletPlan& plan() const { return plan_; }
-  /// Layers that are held at once, at most.
+  /// The maximum number of layers held at the same time.
   int slots() const { return plan_.layers + 2; }
-  /// Of the last `slots()` layers, by k mod slots(), when each goes through the opening [s].
+  /// The times at which the last `slots()` layers cross the opening [s]; layer k is at k mod
+  /// slots().
   std::vector<double>& crossings() { return crossings_; }
   const std::vector<double>& crossings() const { return crossings_; }
-  /// Where the layer in a slot is before the opening [m].
+  /// The position of the layer in a slot along the inlet's direction [m]: negative behind the
+  /// opening.
   double ahead(std::size_t slot, double time) const {
     return plan_.speed * (time - crossings_[slot]);
   }
-  /// Where a layer comes into being [m].
+  /// The position at which a layer is created [m], negative.
   double birth() const { return -plan_.depth() + plan_.spacing / 2; }
 
   struct Layer {
     std::uint64_t number;
-    double crossing;  ///< when it goes through the opening [s]
+    double crossing;  ///< time at which it crosses the opening [s]
   };
-  /// The time is now `time`, dt after the last.
+  /// Advances to `time`, dt after the last call [s].
   void advance(double time, double dt);
-  /// The layers that the last call brought.
+  /// The layers that the last advance() created.
   const std::vector<Layer>& fresh() const { return fresh_; }
 
   State state;

@@ -7,7 +7,7 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-// Each is defined in a file of its own, which is made from instantiate/engine.cpp.in.
+// Each is defined in a separate file, which is made from instantiate/engine.cpp.in.
 template <int D> std::unique_ptr<Engine> make_cpu_engine(const EnginePlan& plan);
 template <int D> std::unique_ptr<Engine> make_reference_engine(const EnginePlan& plan);
 
@@ -16,8 +16,8 @@ template <class B> B make_backend(const EnginePlan& p) {
   else return B(p.search, p.neighbor_order);
 }
 
-/// Null where the build lacks the plan's solver. FRESHET_SOLVERS calls FRESHET_SOLVER(name) for
-/// each solver that src/CMakeLists.txt compiles.
+/// Makes an engine; null if the build lacks the plan's solver. FRESHET_SOLVERS calls
+/// FRESHET_SOLVER(name) for each solver that src/CMakeLists.txt compiles.
 template <int D, class B> std::unique_ptr<Engine> make_engine_on(const EnginePlan& p) {
   std::unique_ptr<Stepper<D, B>> stepper;
 #define FRESHET_SOLVER(name) \

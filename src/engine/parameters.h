@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The symbols of each solver, from the numbers of a plan.
+/// The parameters of each solver from the numbers of a plan.
 #pragma once
 #include <algorithm>
 
@@ -104,7 +104,7 @@ IncompressibleParameters<D> parameters_of(const EnginePlan& p, IncompressiblePar
   c.rho0 = Real(p.rest_density);
   c.liquids = liquids_of(p);
   c.most_nu = Real(p.own_viscosity);
-  if (p.own_viscosity == 0)  // another method's force
+  if (p.own_viscosity == 0)  // NonPressureForces computes the viscosity
     for (Liquid& liquid : c.liquids.liquid) liquid.nu = 0;
   c.xsph = Real(p.xsph);
   c.repulsion = Real(square(0.1 * p.sound_speed));

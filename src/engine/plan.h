@@ -30,7 +30,7 @@ struct SolidPlan {
 struct ReflectorPlan {
   SolidPlan solid;
   double restitution;
-  int wall;  ///< number of the wall that its force is reported by
+  int wall;  ///< index of the wall for its force
 };
 
 /// Periodic or mirror images: boundary/copy_rule.h explains the members.
@@ -38,16 +38,16 @@ struct CopyRulePlan {
   Triple point{}, normal{}, shift{};
   bool mirror = true, no_slip = false;
   int axis = 0;
-  int wall = -1;  ///< number of the wall that its force is reported by, -1: none
+  int wall = -1;  ///< index of the wall for its force; -1: none
 };
 
-/// A flat piece that particles are counted in: boundary/opening.h explains the members.
+/// A flat opening that counts particles: boundary/opening.h explains the members.
 struct OpeningPlan {
   Triple center{}, direction{}, across{}, up{};
   double half_width, half_height, radius;
 };
 
-/// A liquid, the densest of which has the plan's rest density.
+/// A liquid. The densest one has the plan's rest density.
 struct LiquidPlan {
   double rest_density;     ///< [kg/m^D]
   double viscosity;        ///< dynamic [Pa s]
@@ -68,9 +68,9 @@ struct ForcesPlan {
   double air_density = 0, air_viscosity = 0;
   Triple air_velocity{};
   double W_spacing = 0;   ///< W at a distance of one spacing [1/m^D]
-  double mean_depth = 0;  ///< mean of |x| in W [m]
-  double neighbors = 0;   ///< in a resting lattice
-  bool no_walls = false;  ///< nothing holds the fluid
+  double mean_depth = 0;  ///< mean distance from a plane through the centre under W [m]
+  double neighbors = 0;   ///< number of neighbours in a resting lattice
+  bool no_walls = false;  ///< no wall can take up momentum
   bool any() const {
     return viscosity != ViscosityMethod::artificial || tension != SurfaceTensionMethod::none ||
            shifting != ShiftingMethod::none || vorticity != VorticityMethod::none ||
@@ -78,6 +78,7 @@ struct ForcesPlan {
   }
 };
 
+/// The input of an engine. SI units.
 struct EnginePlan {
   int dimension = 2, threads = 1;
   SolverName solver = SolverName::mueller2003;
@@ -94,20 +95,20 @@ struct EnginePlan {
   double h = 0;             ///< the paper's h: half the support, mueller2003: the support [m]
   double spacing = 0;       ///< [m]
   double mass = 0;          ///< of the densest liquid [kg]
-  double lattice_sum = 1;   ///< that density sums are divided by
+  double lattice_sum = 1;   ///< divisor of density sums
   double rest_density = 0;  ///< of the densest liquid [kg/m^D]
-  double lightness = 1;     ///< that over the rest density of the lightest liquid
-  double viscosity = 0;     ///< greatest kinematic one times rest_density [Pa s]
+  double lightness = 1;     ///< maximum over minimum rest density of the liquids
+  double viscosity = 0;     ///< maximum kinematic viscosity times rest_density [Pa s]
   std::vector<LiquidPlan> liquids;
 
   // Pressure
-  double sound_speed = 0;  ///< of the densest liquid; incompressible: a scale [m/s]
+  double sound_speed = 0;  ///< of the densest liquid; a scale for pressure solvers [m/s]
   double stiffness = 0;    ///< k of mueller2003 [m^2/s^2]
   double speed_limit = std::numeric_limits<double>::infinity();  ///< article [m/s]
   double background_pressure = 0;                                ///< [Pa]
   double artificial_viscosity = 0, density_diffusion = 0;        ///< alpha, delta
   bool antuono2010 = false;  ///< diffusion of Antuono 2010, else of Fourtakas 2019
-  double own_viscosity = 0;  ///< greatest kinematic one that a pressure solver sums itself
+  double own_viscosity = 0;  ///< maximum kinematic viscosity that a pressure solver sums itself
   double xsph = 0;
   double lattice_response = 0, lattice_stiffness = 0;  ///< kernels/lattice_sum.h
   bool warm_start = false, accelerated = false;
@@ -116,14 +117,14 @@ struct EnginePlan {
   // Domain
   Triple min{}, max{}, gravity{};
   std::array<bool, 3> periodic{};
-  /// An acceleration b(x, t) beside gravity [m/s^2]; empty: none. Called by one thread.
+  /// An acceleration b(x, t) added to gravity [m/s^2]; empty: none. One thread calls it.
   std::function<void(const double (&x)[3], double t, double* b)> body_force;
-  bool body_force_varies = false;  ///< in space
+  bool body_force_varies = false;  ///< whether b depends on x
 
-  // Walls, by their number in Scene::wall_names()
+  // Walls, by their index in Scene::wall_names()
   struct Wall {
     bool no_slip;
-    Triple slide;  ///< velocity of its surface along itself [m/s]
+    Triple slide;  ///< tangential velocity of its surface [m/s]
   };
   std::vector<Wall> walls;
   unsigned reflecting_sides = 0;  ///< bit 2k: min, 2k + 1: max of axis k

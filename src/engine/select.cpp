@@ -19,7 +19,7 @@ struct Makers {
   MakeEngine *flat, *deep;
 };
 
-// src/CMakeLists.txt defines what is compiled: FRESHET_CPU_ENGINES calls FRESHET_CPU_ENGINE(isa)
+// src/CMakeLists.txt defines both lists: FRESHET_CPU_ENGINES calls FRESHET_CPU_ENGINE(isa)
 // for each instruction set, the best first, and FRESHET_SOLVERS calls FRESHET_SOLVER(name) for each
 // solver.
 #define FRESHET_CPU_ENGINE(isa)                                                     \
@@ -51,7 +51,7 @@ bool supported(const std::string& name) {
 #endif
 }
 
-/// Those that were compiled and that this machine has, best first.
+/// The instruction sets that are compiled and that this machine has, best first.
 std::vector<InstructionSet> instruction_sets() {
   std::vector<InstructionSet> all{
 #define FRESHET_CPU_ENGINE(isa) {#isa, isa::cpu_makers()},

@@ -13,16 +13,17 @@ struct BackendChoice {
   std::string isa;
 };
 
-/// The engine of a plan: the one place that knows all backends and instruction sets.
-/// Throws Error (kind scene) for an instruction set or a solver that is not available.
+/// Makes the engine of a plan. It is the only function that knows all backends and instruction
+/// sets. Throws Error (kind scene) for an instruction set or a solver that is not available.
 std::unique_ptr<Engine> make_engine(const EnginePlan& plan, const BackendChoice& choice);
 
 /// Whether this build has a solver: the sanitizers' builds exclude some.
 bool has_solver(SolverName name);
 
-/// The name of the instruction set that such a choice selects. Throws as make_engine does.
+/// The name of the instruction set that `isa` selects; the best one if empty. Throws Error (kind
+/// scene) if it is not available.
 std::string instruction_set(const std::string& isa);
-/// The number of threads that such a choice selects; 0: as many as the machine has.
+/// The number of threads that `threads` selects; 0: as many as the machine has.
 int thread_count(int threads);
 
 }  // namespace freshet

@@ -13,11 +13,11 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Where the arrays are that an engine's next steps follow from.
+/// The list of the arrays of an engine's state.
 template <int D> class StateArrays {
  public:
   using Role = StateArray::Role;
-  /// data() and count() tell where an array is, whenever it is asked for.
+  /// Adds an array. data() and count() return its address and length at the time of each arrays().
   template <class Data, class Count> void add(std::string name, Data data, Count count, Role role) {
     using Number = StateArray::Number;
     using T = std::remove_pointer_t<decltype(data())>;
@@ -32,7 +32,7 @@ template <int D> class StateArrays {
                         number,  role};
     });
   }
-  /// Records that are nothing but doubles.
+  /// Adds records that consist of doubles only.
   template <class Record> void add_numbers(const char* name, std::vector<Record>& records) {
     auto* all = &records;
     add(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Puts a solver with its kernel behind the Stepper interface.
+/// The Stepper of a solver with its kernel.
 #pragma once
 #include <type_traits>
 #include <utility>
@@ -12,7 +12,7 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// A field maker as a visitor of fields.
+/// A visitor of fields that calls a FieldMaker.
 template <int D> auto visitor_of(FieldMaker<D>& maker) {
   return [&maker](const char* name, Keep keep, auto& field) { maker.make(name, keep, field); };
 }
@@ -63,8 +63,8 @@ std::unique_ptr<Stepper<D, B>> stepper_of(const Solver& solver, const OnWalls& o
   return std::make_unique<StepperOf<D, B, Solver, OnWalls>>(solver, on_walls);
 }
 
-/// f(kernel) for the plan's kernel. A fast backend has the frequent kernels compiled for
-/// themselves; the others share one. The bits are the same.
+/// Calls f(kernel) for the plan's kernel. With `fast`, the frequent kernels are separate types and
+/// the others share one. The bits are the same.
 template <int D, bool fast, bool fast_c2, class F>
 auto with_kernel(const EnginePlan& p, const F& f) {
   const Real support = Real(p.support);

@@ -18,7 +18,7 @@ inline namespace FRESHET_ISA {
 
 template <int D, class B> class Store final : public FieldMaker<D> {
  public:
-  /// Adds the fluid as a set; its fields follow.
+  /// Adds the fluid as a set; make_fluid() and make() add its fields.
   Store(B b, const EnginePlan& p, FluidParticles<D>& fluid)
       : backend(std::move(b)), fluid_(fluid), liquids_(liquids_of(p)) {
     backend.add_set(fluid_, int(p.sample.x.size() / D), copy_rules(p));
@@ -38,14 +38,14 @@ template <int D, class B> class Store final : public FieldMaker<D> {
   void make(const char* name, Keep keep, Field<int>& f) override {
     allocate(fluid_, "fluid", name, keep, f);
   }
-  /// The fields that every fluid has.
+  /// Allocates the fields that every fluid has.
   void make_fluid(const EnginePlan& p) {
     allocate(fluid_, "fluid", "id", Keep::kept, fluid_.id);
     allocate(fluid_, "fluid", "x", Keep::kept, fluid_.x);
     allocate(fluid_, "fluid", "v", Keep::kept, fluid_.v);
     if (p.liquids.size() > 1) make("kind", Keep::kept, fluid_.kind);
   }
-  /// Writes the state at the start.
+  /// Writes the initial state of the fluid.
   void fill_fluid(const Sample& sample, Field<Real>* start_pressure) {
     if (fluid_.kind.data) std::copy(sample.liquid.begin(), sample.liquid.end(), fluid_.kind.data);
     for (int i = 0; i < fluid_.n; ++i) {
@@ -58,7 +58,7 @@ template <int D, class B> class Store final : public FieldMaker<D> {
     copy_numbers(fluid_.x, sample.x);
     copy_numbers(fluid_.v, sample.v);
   }
-  /// The boundary particles of all walls, with room for body particles and their images.
+  /// Creates the boundary particles of all walls, with room for body particles and their images.
   void fill_walls(const EnginePlan& p) {
     int images = 1;
     for (int k = 0; k < D; ++k) images *= p.periodic[std::size_t(k)] ? 2 : 1;
@@ -70,7 +70,7 @@ template <int D, class B> class Store final : public FieldMaker<D> {
     AkinciWall<D>& wall = walls.akinci2012;
     const int all = std::exchange(wall.n, int(p.sample.akinci2012.wall.size()));
     prepare_walls(backend, walls, kernel_of<D>(p), Real(p.support),
-                  Real(p.rest_density));  // without bodies
+                  Real(p.rest_density));  // without body particles
     wall.n = all;
   }
 

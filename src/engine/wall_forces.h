@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The force of the fluid on its walls, in sums that depend on neither threads nor backends.
+/// The force of the fluid on its walls, in sums that depend neither on threads nor on backends.
 #pragma once
 #include <vector>
 
@@ -14,7 +14,7 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The acceleration in a sum of a particle of density rho.
+/// The acceleration in the sum of a particle of density rho [m/s^2].
 template <int D, class Sum> Vec<D> acceleration_of(const Sum& sum, Real) {
   return acceleration(sum);
 }
@@ -22,7 +22,7 @@ template <int D> Vec<D> acceleration_of(const ForceDensities<D, Real>& sum, Real
   return (sum.pressure + sum.viscosity) / rho;
 }
 
-/// Walls that are mirror images: the number of the wall by copy rule (-1: none), and memory for an
+/// Walls of mirror images: the index of the wall by copy rule (-1: none), and memory for an
 /// acceleration per fluid particle.
 template <int D> struct GhostWalls {
   std::vector<int> wall_of_rule;
@@ -33,17 +33,17 @@ template <int D> struct GhostWalls {
 /// particles among the fluid must have been listed.
 template <int D, class B> class WallForces {
  public:
-  /// m: the mass of a particle of the densest liquid [kg], which all accelerations refer to.
+  /// m: mass of a particle of the densest liquid [kg], by which accelerations become forces.
   WallForces(B& backend, std::size_t walls, const GhostWalls<D>& ghosts, double m);
-  /// On these patches only.
+  /// Sums the forces on these patches only.
   WallForces(B& backend, std::vector<PatchOnWall<D>> patches, double m);
 
-  /// One force per wall [N].
+  /// One force per wall [N; N/m in 2D].
   const std::vector<Vector>& list() const { return force_; }
-  /// The force along the axes of each patch over its area; to be called once.
+  /// The force on each patch along its axes over its area [Pa; N/m in 2D]. Call it once.
   const std::vector<Vector>& tractions();
 
-  /// On boundary particles: the reaction of the term by which they act.
+  /// Adds the reaction of a pair term on boundary particles.
   template <class Wall, class Fluid, class Term>
   void add(const Wall& wall, const Fluid& f, const Term& term) {
     if (wall.n == 0) return;
@@ -51,8 +51,8 @@ template <int D, class B> class WallForces {
                        StoreForce<D>{wall.force});
     add_stored(wall);
   }
-  /// On ghost walls: against the force of their mirror images. An image in a corner counts for the
-  /// wall that is named first.
+  /// Adds the reaction of a pair term on walls of mirror images. An image in a corner counts for
+  /// the wall of the first rule that made it.
   template <class Fluid, class Term> void add_ghosts(const Fluid& f, const Term& term) {
     const auto a = ghosts_.acceleration;
     const auto rho = f.rho;

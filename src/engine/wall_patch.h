@@ -6,11 +6,13 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// A patch of a wall as sums over samples take it.
+/// A patch of a wall for sums over boundary particles.
 template <int D> struct PatchOnWall {
   Vec<D, double> center, axis[D];
   double half[D];
-  double cell, reach;  ///< how wide a sample's share of the wall is; how far samples stand off [m]
+  /// cell: width of a boundary particle's part of the wall [m]; reach: maximum distance of boundary
+  /// particles from the patch [m]
+  double cell, reach;
 
   PatchOnWall(const WallPatch& patch, double sample_cell, double support)
       : center(vector(patch.center)), cell(sample_cell), reach(support) {
@@ -24,7 +26,7 @@ template <int D> struct PatchOnWall {
     for (int d = 0; d < D; ++d) all *= half[d] > 0 ? 2 * half[d] : 1;
     return all;
   }
-  /// How much of the cell of a sample at x the patch covers, 0 to 1.
+  /// The fraction, 0 to 1, of the cell of a boundary particle at x that the patch covers.
   FRESHET_HD double share(Vec<D, double> x) const {
     double all = 1;
     for (int d = 0; d < D; ++d) {
@@ -47,7 +49,7 @@ template <int D> struct PatchOnWall {
   }
 };
 
-/// Its share of the forces along an axis [m/s^2].
+/// The part of the force on boundary particle k along an axis that acts on a patch [m/s^2].
 template <int D> struct ForceOnPatch {
   PatchOnWall<D> patch;
   Vec<D, double> axis;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The forces on walls by the pair terms of each solver, with the one kernel that serves all.
+/// The forces on walls by the pair terms of each solver. All use SceneKernel.
 #pragma once
 #include "engine/wall_forces.h"
 #include "kernels/scene_kernel.h"
@@ -8,7 +8,7 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Of mueller2003, whose walls act on the fluid as mirror images only.
+/// The terms of mueller2003, whose walls act on the fluid as mirror images only.
 template <class Terms> struct MirrorTerms {
   Terms terms;
   template <class B, class Fluid, class Walls, class Forces>
@@ -17,7 +17,7 @@ template <class Terms> struct MirrorTerms {
   }
 };
 
-/// Of wcsph and delta_sph.
+/// The terms of wcsph and delta_sph.
 template <class Terms> struct WeaklyCompressibleTerms {
   Terms terms;
   template <class B, class Fluid, class Walls, class Forces>
@@ -29,7 +29,7 @@ template <class Terms> struct WeaklyCompressibleTerms {
   }
 };
 
-/// Of the solvers for the pressure: compiled once for all of them.
+/// The terms of the pressure solvers, compiled once for all of them.
 template <int D, class B> struct IncompressibleTerms {
   IncompressibleParameters<D> c;
   SceneKernel<D> W;

@@ -6,11 +6,11 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The transport velocity [Adami, Hu, Adams 2013]: particles move with
+/// The transport velocity [Adami, Hu, Adams 2013]. Particles move with
 ///
 ///   v~_i = v_i - dt/2 p_b/m sum_j (V_i^2 + V_j^2) grad W_ij,  p_b = rho0 c0^2
 ///
-/// and the flow, whose momentum they carry along, is accelerated by
+/// They carry momentum, by which the flow is accelerated:
 ///
 ///   1/m sum_j (V_i^2 + V_j^2) (A_i + A_j)/2 · grad W_ij,  A = rho v (v~ - v)
 ///
@@ -21,7 +21,7 @@ inline namespace FRESHET_ISA {
 template <int D, class B, template <int> class Kernel> struct Adami2013 final : Force<D, B> {
   using typename Force<D, B>::Fluid;
   Kernel<D> W;
-  Real m, rho0, h, c0;  ///< c0 = 0: there is no sound
+  Real m, rho0, h, c0;  ///< c0 = 0 for a solver without sound
   ShiftingAtSurface<D, B, Kernel> surface;
   Field<Vec<D>> u;   ///< scratch: v~ - v [m/s]
   Field<Real> drho;  ///< scratch: rate of the density by it [kg/m^D/s]
@@ -51,7 +51,7 @@ template <int D, class B, template <int> class Kernel> struct Adami2013 final : 
     });
   }
 
-  // The parts of it: public for nvcc, which takes no lambdas from private functions.
+  // Public for nvcc, which takes no lambdas from private functions.
   void find_transport(B& backend, const Fluid& f, const Walls<D>& w, Real dt) const {
     const auto u = this->u, edge = surface.edge;
     const Real c = c0 > 0 ? c0 : dt > 0 ? h / (4 * dt) : 0;

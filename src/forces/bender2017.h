@@ -6,12 +6,12 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Turbulence by a micropolar fluid [Bender, Koschier, Kugelstadt, Weiler 2017]: each particle has
-/// an angular velocity omega of its own,
+/// Turbulence by a micropolar fluid [Bender, Koschier, Kugelstadt, Weiler 2017]. Each particle has
+/// an angular velocity omega:
 ///
-///   Dv/Dt += nu_t curl omega,   Theta Domega/Dt = nu_t (curl v - 2 omega)  [eqs. 9 and 10],
+///   Dv/Dt += nu_t curl omega,   Theta Domega/Dt = nu_t (curl v - 2 omega)  [eqs. 9 and 10]
 ///
-/// the second by backward Euler in omega, so that no nu_t is too large for it.
+/// The second equation is integrated by backward Euler in omega, which is stable for any nu_t.
 ///
 ///   nu_t [m^2/s], Theta [m^2]
 template <int D, class B, template <int> class Kernel> struct Bender2017 final : Force<D, B> {
@@ -32,7 +32,7 @@ template <int D, class B, template <int> class Kernel> struct Bender2017 final :
   void fields(FieldMaker<D>& maker) override { maker.make("spin", Keep::kept, spin); }
 
   // Public for nvcc, which takes no lambdas from private functions.
-  /// add += nu_t curl omega
+  /// add += nu_t curl omega  [m/s^2]
   void push(B& backend, const Fluid& fluid, Field<Vec<D>> add) const {
     const auto f = fluid;
     const Real factor = m * nu_t;
@@ -40,7 +40,7 @@ template <int D, class B, template <int> class Kernel> struct Bender2017 final :
     backend.sum_pairs("vorticity", f, over(f, Bender2017CurlSpin{W, spin, f.rho}),
                       [=] FRESHET_LAMBDA(int i, Vec<D> sum) { add[i] += factor * f.rho[i] * sum; });
   }
-  /// omega after dt
+  /// Advances omega by dt [s].
   void turn(B& backend, const Fluid& fluid, Real dt) const {
     const auto f = fluid;
     const auto spin = this->spin;

@@ -18,7 +18,7 @@ template <int D> struct Gissler2017Drop {
   Air<D> air;
   Real h, spacing, L, m;
   Real flatten;   ///< y over v_rel^2 [s^2/m^2]
-  Real full;      ///< neighbours of a particle that is as good as inside
+  Real full;      ///< number of neighbours from which a particle counts as inside
   Real reynolds;  ///< Re over |v_rel| [s/m]
 
   /// rho0 [kg/m^3], mu [Pa s], sigma [N/m] of the liquid; inside: neighbours in a resting lattice.
@@ -32,8 +32,8 @@ template <int D> struct Gissler2017Drop {
     const double per_td = C_d * mu / (2 * rho0 * radius * radius);
     const double omega2 = C_k * sigma / (rho0 * std::pow(radius, 3)) - per_td * per_td;
     L = Real(radius);
-    // Flattest after half a period of the drop's oscillation; of an overdamped one as it comes to
-    // rest.
+    // The flattening is largest after half a period of the drop's oscillation. An overdamped drop
+    // is flattest at rest.
     double most = 1;
     if (omega2 > 0) {
       const double omega = std::sqrt(omega2), t = 3.14159265358979323846 / omega;
@@ -48,12 +48,13 @@ template <int D> struct Gissler2017Drop {
     return Gissler2017Neighbor<D>{h, air.wind, f.v};
   }
 
-  /// Of a ball [Liu, Mather, Reitz 1993; eq. 3], times Re: finite at rest.
+  /// The drag coefficient of a ball [Liu, Mather, Reitz 1993; eq. 3] times Re, which is finite at
+  /// rest.
   FRESHET_HD static Real sphere_times_re(Real re) {
     const Real root = cube_root(re);
     return re > 1000 ? Real(0.424f) * re : 24 * (1 + root * root / 6);
   }
-  /// Newton's iteration: the same bits whatever the library.
+  /// The cube root by Newton's iteration, whose bits do not depend on the C library.
   FRESHET_HD static Real cube_root(Real a) {
     if (!(a > Real(1e-12f))) return 0;
     Real y = sqrt(sqrt(a));
@@ -66,7 +67,7 @@ template <int D> struct Gissler2017Drop {
     const Real speed = norm(v_rel), inside = min(seen.neighbors / full, Real(1));
     const Real y = min(flatten * speed * speed, Real(1)), re = reynolds * speed;
     const Real flat = 1 + Real(2.632f) * y;
-    // C |v_rel|: of a drop by Re, of a surface 1 [eqs. 4 and 9]
+    // C |v_rel|, with C of a drop by Re and C = 1 of a surface [eqs. 4 and 9]
     const Real of_drop = sphere_times_re(re) * flat / reynolds;
     const Real C_v = (1 - inside) * of_drop + inside * speed;
     const Real l = L * (1 + y / 2);

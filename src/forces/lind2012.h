@@ -5,9 +5,9 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Particle shifting [Lind, Xu, Stansby, Rogers 2012]: after a step a particle goes on by
+/// Particle shifting [Lind, Xu, Stansby, Rogers 2012]. After a step a particle is shifted by
 ///
-///   dr_i = -h^2/2 crowd_i,  at most 0.2 h and U dt/2,  U = max |v|
+///   dr_i = -h^2/2 crowd_i,  |dr_i| <= min(0.2 h, U dt/2),  U = max |v|
 ///
 /// from where its neighbours crowd, however short the step is; h is half the support. The paper's
 /// bound is 0.2 h, in steps that the flow rules (0.4 h/U); where sound does, the other is the same

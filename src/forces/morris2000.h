@@ -6,8 +6,8 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Continuum surface force [Brackbill, Kothe, Zemach 1992; Morris 2000]: within a support of its
-/// surface a liquid is pushed inwards by
+/// Continuum surface force [Brackbill, Kothe, Zemach 1992; Morris 2000]. Within a support radius of
+/// the free surface the force density on the liquid is
 ///
 ///   f_i = 2 sigma kappa_i n_i,  n_i = sum_j V grad W_ij                    [N/m^D; eq. 10]
 ///
@@ -86,7 +86,8 @@ template <int D, class B, template <int> class Kernel> struct Morris2000 final :
                         acts[i] = 2 * sigma[i] * kappa / rho0 * n[i];
                       });
   }
-  /// The sum over a closed surface is zero; what the particles make it is taken from all of it.
+  /// Subtracts the net force, weighted by |n|. Over a closed surface it is zero in the continuum;
+  /// the discrete sum is not.
   void balance(B& backend, const Fluid& fluid) const {
     const auto f = fluid;
     const auto n = this->n;

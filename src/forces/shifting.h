@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What moves particles beside the flow, so that they stay evenly spread, and what ways of it
-/// share.
+/// Particle shifting: it moves particles relative to the flow, which keeps them evenly spread.
 #pragma once
 #include "forces/force.h"
 #include "pairs/lind2012.h"
@@ -11,15 +10,15 @@ inline namespace FRESHET_ISA {
 /// Of the surface are particles whose -sum_j V_j x_ij · grad W_ij, D inside, is less.
 template <int D> constexpr Real inside_from = Real(0.75f) * D;
 
-/// Shifting along the concentration of particles: what is shifted takes on the velocity and the
-/// density that the flow has there [Lind, Xu, Stansby, Rogers 2012, eq. 33].
+/// Shifting along the gradient of the particle concentration. A shifted particle takes the velocity
+/// and the density of the flow at its new place [Lind, Xu, Stansby, Rogers 2012, eq. 33].
 template <int D, class B, template <int> class Kernel> struct ConcentrationShifting {
   using Fluid = FluidParticles<D>;
   Kernel<D> W;
   Real m, rho0, W_spacing;
   Field<Vec<D>> u;   ///< scratch: velocity of the shift [m/s]
-  Field<Vec<D>> dv;  ///< scratch: rate of the velocity by it [m/s^2]
-  Field<Real> drho;  ///< scratch: and of the density [kg/m^D/s]
+  Field<Vec<D>> dv;  ///< scratch: velocity rate by the shift [m/s^2]
+  Field<Real> drho;  ///< scratch: density rate by the shift [kg/(m^D s)]
 
   void fields(FieldMaker<D>& maker) {
     maker.make("shift", Keep::scratch, u);
@@ -33,7 +32,7 @@ template <int D, class B, template <int> class Kernel> struct ConcentrationShift
     return Real(std::sqrt(
         backend.max("shift", f, [=] FRESHET_LAMBDA(int i) { return double(norm2(f.v[i])); })));
   }
-  /// finish(i, where the neighbours crowd)
+  /// Calls finish(i, Lind2012Sums).
   template <class Finish>
   void sum_crowd(B& backend, const Fluid& f, const Walls<D>& w, const Finish& finish) const {
     backend.sum_pairs(
@@ -63,15 +62,15 @@ template <int D, class B, template <int> class Kernel> struct ConcentrationShift
   }
 };
 
-/// Near a free surface particles are shifted along it only: where one of the surface is among the
-/// neighbours.
+/// Restricts shifting near a free surface to the tangential direction, for particles with a
+/// neighbour that belongs to the surface.
 template <int D, class B, template <int> class Kernel> struct ShiftingAtSurface {
   using Fluid = FluidParticles<D>;
   Kernel<D> W;
-  Field<Vec<D>> edge;  ///< scratch: as pairs/lind2012.h has it
+  Field<Vec<D>> edge;  ///< scratch: Lind2012Sums::slope at the free surface, zero elsewhere [1/m]
 
   void fields(FieldMaker<D>& maker) { maker.make("shift_edge", Keep::scratch, edge); }
-  /// Takes from shifts u what is across the surface.
+  /// Removes the normal part of the shifts u near the free surface.
   void keep_along(B& backend, const Fluid& f, Field<Vec<D>> u) const {
     backend.share("shift", f, edge);
     backend.sum_pairs("shift", f, over(f, Lind2012Normal{W, edge}),

@@ -5,9 +5,10 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Particle shifting [Sun, Colagrossi, Marrone, Zhang 2017]: after a step a particle goes on at
+/// Particle shifting [Sun, Colagrossi, Marrone, Zhang 2017]. After a step a particle is shifted
+/// with the velocity
 ///
-///   u_i = -2 U h crowd_i,  at most U/2,  U = max |v|                            [eq. 5, h = H/2]
+///   u_i = -2 U h crowd_i,  |u_i| <= U/2,  U = max |v|                           [eq. 5, h = H/2]
 ///
 /// from where its neighbours crowd: the paper's CFL Ma is U dt/h. Particles of a free surface,
 /// which see less than 0.75 D of their neighbours, stay; what sees a wall is moved along it only:

@@ -6,10 +6,10 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Viscosity by backward Euler [Weiler, Koschier, Brand, Bender 2018]: a step of any length is
-/// stable. With L v the acceleration by viscosity, linear in v,
+/// Viscosity by backward Euler [Weiler, Koschier, Brand, Bender 2018], which is stable for any
+/// step. With L v the acceleration by viscosity, linear in v,
 ///
-///   v' = v + dt L v',  so dv = v' - v solves  (1 - dt L) dv = dt L v,
+///   v' = v + dt L v',  so dv = v' - v solves  (1 - dt L) dv = dt L v
 ///
 /// by conjugate gradients with the blocks of the diagonal as preconditioner, from the dv of the
 /// step before [sec. 3.3]. Solving for dv, not for v', leaves out how fast everything moves
@@ -48,7 +48,7 @@ template <int D, class B, template <int> class Kernel> class Weiler2018 final : 
   }
 
   // Public for nvcc, which takes no lambdas from private functions.
-  /// (1 + dt M_i)^-1
+  /// Computes the preconditioner (1 + dt M_i)^-1.
   void find_blocks(B& backend, const Fluid& f, const Walls<D>& w, Real dt, const PerLiquid& mu,
                    const PerLiquid& lightness) const {
     const auto diagonal = diagonal_, off = off_;
@@ -66,11 +66,11 @@ template <int D, class B, template <int> class Kernel> class Weiler2018 final : 
         });
   }
 
-  /// finish(i, L v) of any field of velocities v, over the lightness.
+  /// Calls finish(i, L v/lightness) for any field of velocities v.
   template <class Finish>
   void multiply(B& backend, const Fluid& f, const Walls<D>& w, Field<Vec<D>> v, const PerLiquid& mu,
                 const Finish& finish) const {
-    Particles<D> like_v = f;  // copies turn round what is shared as if it were the velocity
+    Particles<D> like_v = f;  // share then transforms v at copies as a velocity
     like_v.v = v;
     backend.share("viscosity", like_v, v);
     backend.sum_pairs(
@@ -83,7 +83,7 @@ template <int D, class B, template <int> class Kernel> class Weiler2018 final : 
         finish);
   }
 
-  /// What is left of the equations at the first dv; returns the size of dt L v.
+  /// Computes the residual at the initial dv. Returns the norm of dt L v.
   double begin(B& backend, const Fluid& f, const Walls<D>& w, Real dt, Field<Vec<D>> v,
                const PerLiquid& mu, const PerLiquid& lightness) const {
     const auto dv = dv_, left = left_;
@@ -99,7 +99,7 @@ template <int D, class B, template <int> class Kernel> class Weiler2018 final : 
     return size;
   }
 
-  /// Conjugate gradients, preconditioned  [Saad 2003, algorithm 9.1]
+  /// Preconditioned conjugate gradients  [Saad 2003, algorithm 9.1]
   Solve iterate(B& backend, const Fluid& f, const Walls<D>& w, Real dt, double size,
                 const PerLiquid& mu, const PerLiquid& lightness) const {
     const auto dv = dv_, left = left_, way = way_, product = product_;
@@ -124,14 +124,14 @@ template <int D, class B, template <int> class Kernel> class Weiler2018 final : 
       });
     }
   }
-  /// sum_i a_i · b_i over the lightness
+  /// sum_i a_i · b_i/lightness_i
   double weighted(B& backend, const Fluid& f, Field<Vec<D>> a, Field<Vec<D>> b,
                   const PerLiquid& lightness) const {
     return backend.sum("viscosity: sums", f, [=] FRESHET_LAMBDA(int i) {
       return double(dot(a[i], b[i])) / double(lightness[i]);
     });
   }
-  /// z · left, with z the preconditioned.
+  /// z · left, with z the preconditioned residual.
   double preconditioned(B& backend, const Fluid& f, const PerLiquid& lightness) const {
     const auto self = z();
     const auto left = left_;

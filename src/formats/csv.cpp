@@ -6,7 +6,7 @@
 namespace freshet {
 namespace {
 
-/// What stands between the commas; one inside quotes divides nothing.
+/// The comma-separated fields of a line. A comma inside quotes does not separate.
 std::vector<std::string_view> fields_of(std::string_view line) {
   std::vector<std::string_view> fields;
   std::size_t begin = 0;
@@ -23,7 +23,8 @@ std::vector<std::string_view> fields_of(std::string_view line) {
   return fields;
 }
 
-/// ParaView's names of components, "Points:0" or "velocity_1", in short; other names as they are.
+/// Shortens ParaView's names of components: "Points:0" to "x", "velocity_1" to "vy". Other names
+/// are unchanged.
 std::string short_name(std::string_view name) {
   static constexpr std::pair<std::string_view, const char*> vectors[] = {
       {"Points", ""}, {"velocity", "v"}, {"Velocity", "v"}, {"v", "v"}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// In place of vtp.cpp in builds without pugixml or zlib.
+// Replaces vtp.cpp in builds without pugixml or zlib.
 #include "formats/point_sink.h"
 
 namespace freshet {

@@ -49,7 +49,7 @@ std::uint64_t read_count(std::string_view word, const PointSink& sink) {
   return *n;
 }
 
-/// "comment time 0.5" is a note; other comments are passed over.
+/// Reads a comment: "comment time 0.5" is a note, other comments are ignored.
 void read_comment(std::string_view words, PointSink& sink) {
   const std::string_view name = take_word(words);
   if (const auto value = number_in(trimmed(words))) sink.note(name, *value);
@@ -125,7 +125,7 @@ void read_ascii(std::string_view line, std::vector<double>& values, const PointS
 void read_ply(std::string_view bytes, PointSink& sink) {
   const Header h = read_header(bytes, sink);
   const bool ascii = h.format == Format::ascii;
-  // an ascii vertex takes two characters a number, or more; the last of them may be missing
+  // an ascii number takes at least two characters; the last separator may be missing
   const std::size_t least = ascii ? 2 * h.types.size() : h.bytes_per_vertex;
   if (h.vertices > (bytes.size() + ascii) / least) {
     sink.line = 0;

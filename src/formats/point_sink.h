@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What the parsers of point files share; they know neither scenes nor frames.
+/// The interface of the parsers of point files. They know neither scenes nor frames.
 #pragma once
 #include <algorithm>
 #include <charconv>
@@ -14,45 +14,47 @@
 
 namespace freshet {
 
-/// Takes what a file of points holds: names its columns first, then a row for each point.
+/// Receives the contents of a point file: first the names of its columns, then a row for each
+/// point.
 class PointSink {
  public:
   explicit PointSink(std::string file) : file_(std::move(file)) {}
   virtual ~PointSink() = default;
 
-  /// The column at `place` has this name.
+  /// Receives the name of the column with the index `place`.
   virtual void name(const std::string& column, std::size_t place) = 0;
-  /// After the last name: throws if one is missing.
+  /// Called after the last name. Throws if a required column is missing.
   virtual void check() const {}
-  /// Whether the column counts; the others may hold anything.
+  /// Whether the column is read; the values of other columns are not checked.
   virtual bool reads(std::size_t place) const = 0;
-  /// One point, a value a column.
+  /// Receives one point, one value per column.
   virtual void add(const std::vector<double>& values) = 0;
-  /// A number of the whole file: "time", "step" or "dimension".
+  /// Receives a number of the whole file: "time", "step" or "dimension".
   virtual void note(std::string_view, double) {}
 
   /// Throws Error (kind scene) at FILE, or FILE:LINE.
   [[noreturn]] void fail(const std::string& why) const;
 
-  std::size_t line = 0;  ///< where the parser stands; 0: no line
+  std::size_t line = 0;  ///< current line of the parser; 0: none
 
  private:
   std::string file_;
 };
 
-/// The vertices of a PLY file [Turk 1994]: ascii, or binary of either byte order. Notes are its
-/// comments that are a word and a number.
+/// Reads the vertices of a PLY file [Turk 1994]: ascii, or binary of either byte order. Comments of
+/// a word and a number are notes.
 void read_ply(std::string_view bytes, PointSink& sink);
-/// The lines of a CSV file, whose first line names the columns: x, or "Points:0" as ParaView does.
+/// Reads the lines of a CSV file. The first line has the names of the columns: x, or "Points:0" as
+/// in ParaView.
 void read_csv(std::string_view bytes, PointSink& sink);
-/// The points of a VTK XML file of PolyData: ascii, base64 or raw, inline or appended, plain or
-/// compressed by zlib. Columns are x, y, z; vx, vy, vz of an array "velocity", "Velocity" or "v";
-/// density, pressure and id of arrays of one component. Notes are its field data.
+/// Reads the points of a VTK XML file of PolyData: ascii, base64 or raw, inline or appended, plain
+/// or compressed by zlib. Columns are x, y, z; vx, vy, vz of an array "velocity", "Velocity" or
+/// "v"; density, pressure and id of arrays of one component. Field data are notes.
 void read_vtp(std::string_view bytes, PointSink& sink);
-/// Whether this build reads VTP files: pugixml and zlib were found.
+/// Whether this build reads VTP files, which needs pugixml and zlib.
 bool reads_vtp();
 
-/// Takes a word off the front; empty at the end.
+/// Removes the first word from `text` and returns it; empty at the end.
 inline std::string_view take_word(std::string_view& text, const char* spaces = " \t") {
   text.remove_prefix(std::min(text.find_first_not_of(spaces), text.size()));
   const auto end = std::min(text.find_first_of(spaces), text.size());
@@ -61,7 +63,7 @@ inline std::string_view take_word(std::string_view& text, const char* spaces = "
   return word;
 }
 
-/// The same of a whole number, 0 or more.
+/// The whole text as an unsigned integer; empty if it is not one.
 inline std::optional<std::uint64_t> count_in(std::string_view text) {
   std::uint64_t value = 0;
   const auto [end, ec] = std::from_chars(text.data(), text.data() + text.size(), value);

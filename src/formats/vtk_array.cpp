@@ -13,9 +13,9 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "arrays are copied as they stand");
 
 constexpr const char* spaces = " \t\r\n";
-constexpr std::uint64_t most_deflated = 1032;  // a byte of deflate makes no more than this many
+constexpr std::uint64_t most_deflated = 1032;  // maximum expansion of a byte by deflate
 
-/// Reads one array, and calls it by name in what it says.
+/// Reads one array. Messages contain its name.
 class ArrayReader {
  public:
   ArrayReader(const VtkArray& array, const VtkStorage& storage, const PointSink& sink)
@@ -54,7 +54,7 @@ class ArrayReader {
 
 std::vector<double> ArrayReader::from_ascii(std::uint64_t count) const {
   std::string_view text = array_.child_value();
-  if (count > (text.size() + 1) / 2) fail_short();  // two characters a number, or more
+  if (count > (text.size() + 1) / 2) fail_short();  // a number takes at least two characters
   std::vector<double> values;
   for (std::string_view word; !(word = take_word(text, spaces)).empty();) {
     const auto value = number_in(word);
@@ -67,7 +67,8 @@ std::vector<double> ArrayReader::from_ascii(std::uint64_t count) const {
   return values;
 }
 
-/// The bytes of an array with the sizes before it; `decoded` holds them where they were text.
+/// The stored bytes of an array, including the sizes before it. `decoded` holds them if they were
+/// base64 text.
 std::string_view ArrayReader::stored(std::string_view format, std::string& decoded) const {
   if (format == "binary") return decoded = from_base64(array_.child_value());
   if (format != "appended")
@@ -82,7 +83,7 @@ std::string_view ArrayReader::stored(std::string_view format, std::string& decod
   return storage_.raw ? bytes : decoded = from_base64(bytes);
 }
 
-/// One stream of base64, or several, each padded at its end.
+/// Decodes one or several streams of base64, each padded at its end.
 std::string ArrayReader::from_base64(std::string_view text) const {
   const auto digit = [](char c) {
     if (c >= 'A' && c <= 'Z') return c - 'A';
@@ -110,7 +111,7 @@ std::string ArrayReader::from_base64(std::string_view text) const {
   return bytes;
 }
 
-/// The k-th of the sizes before the array.
+/// The k-th of the sizes that precede the array.
 std::uint64_t ArrayReader::size_at(std::string_view bytes, std::uint64_t k) const {
   const std::size_t width = storage_.header_bytes;
   if (k >= bytes.size() / width) fail_short();
@@ -123,7 +124,7 @@ std::uint64_t ArrayReader::bytes_of(std::uint64_t count) const {
   const std::string_view type = array_.attribute("type").as_string();
   for (const int bits : {8, 16, 32, 64})
     if (type.ends_with(std::to_string(bits))) return count * std::uint64_t(bits) / 8;
-  return 0;  // said in numbers()
+  return 0;  // numbers() reports the unknown type
 }
 
 std::string ArrayReader::plain(std::string_view bytes, std::uint64_t count) const {
@@ -135,8 +136,8 @@ std::string ArrayReader::plain(std::string_view bytes, std::uint64_t count) cons
   return std::string(bytes.substr(0, size));
 }
 
-/// Blocks of zlib behind their number, their size, the last one's if it is smaller, and what each
-/// is compressed to.
+/// Inflates an array. Its header is the number of zlib blocks, the size of a block, the size of the
+/// last block if it is smaller (else 0), and the compressed size of each block.
 std::string ArrayReader::inflated(std::string_view bytes, std::uint64_t count) const {
   const std::uint64_t blocks = size_at(bytes, 0);
   if (blocks == 0 && count == 0) return {};

@@ -10,22 +10,22 @@
 
 namespace freshet {
 
-/// How a VTK XML file stores its arrays.
+/// The storage of arrays in a VTK XML file.
 struct VtkStorage {
-  std::size_t header_bytes = 4;        ///< of the sizes before an array: 4 (UInt32) or 8 (UInt64)
+  std::size_t header_bytes = 4;        ///< of a size before an array: 4 (UInt32) or 8 (UInt64)
   bool compressed = false;             ///< by zlib, in blocks
-  bool raw = false;                    ///< the appended data: raw bytes, or base64
-  std::string_view appended;           ///< what follows the "_"; empty if there is none
-  std::vector<std::uint64_t> offsets;  ///< where arrays begin in it, ascending
+  bool raw = false;                    ///< appended data are raw bytes, else base64
+  std::string_view appended;           ///< appended data after the "_"; may be empty
+  std::vector<std::uint64_t> offsets;  ///< of the arrays in the appended data, ascending
 };
 
 struct VtkArray {
   pugi::xml_node node;  ///< its DataArray
-  std::string name;     ///< what messages call it
+  std::string name;     ///< for messages
 };
 
-/// The `count` numbers of an array. Throws by `sink.fail` where there are fewer or more, and before
-/// anything is allocated that the file is too short for.
+/// Reads the `count` numbers of an array. Calls `sink.fail` if there are fewer or more. It checks
+/// the size of the file before it allocates memory.
 std::vector<double> read_vtk_array(const VtkArray& array, std::uint64_t count,
                                    const VtkStorage& storage, const PointSink& sink);
 

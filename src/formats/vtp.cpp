@@ -6,14 +6,14 @@
 namespace freshet {
 namespace {
 
-/// A VTK XML file: its elements, and the data appended to them, which need not be XML.
+/// A VTK XML file: its elements, and the appended data, which may not be valid XML.
 struct VtkFile {
   pugi::xml_document elements;
   VtkStorage storage;
   pugi::xml_node root() const { return elements.child("VTKFile"); }
 };
 
-/// Where the elements end and the appended data begins.
+/// The offset at which the elements end and the appended data begins [bytes].
 std::size_t end_of_elements(std::string_view bytes, const PointSink& sink) {
   const std::size_t appended = bytes.find("<AppendedData");
   if (appended == std::string_view::npos) return bytes.size();
@@ -22,7 +22,7 @@ std::size_t end_of_elements(std::string_view bytes, const PointSink& sink) {
   return end + 1;
 }
 
-/// Where the appended arrays begin.
+/// Collects the offsets of the appended arrays.
 struct Offsets final : pugi::xml_tree_walker {
   std::vector<std::uint64_t> found;
   bool for_each(pugi::xml_node& node) override {
@@ -50,7 +50,7 @@ void read_elements(std::string_view bytes, VtkFile& file, PointSink& sink) {
   std::string_view rest = bytes.substr(end);
   rest.remove_prefix(std::min(rest.find('_'), rest.size()));
   if (!rest.empty()) rest.remove_prefix(1);
-  // base64 ends before the next tag; raw bytes may look like one, and their sizes tell their ends
+  // base64 ends before the next tag; raw bytes may contain "<" and end by their sizes
   file.storage.raw = file.root().child("AppendedData").attribute("encoding").as_string() ==
                      std::string_view("raw");
   file.storage.appended = file.storage.raw ? rest : rest.substr(0, rest.find('<'));
@@ -87,13 +87,13 @@ int components(const pugi::xml_node& array) {
   return array.attribute("NumberOfComponents").as_int(1);
 }
 
-/// An array, and the first of the columns that its components fill.
+/// An array, and the index of its first column.
 struct Source {
   VtkArray array;
   std::size_t column = 0, components = 1;
 };
 
-/// The arrays of a piece whose columns are known.
+/// The arrays of a piece that fill known columns.
 std::vector<Source> sources_of(const pugi::xml_node& piece, const PointSink& sink) {
   std::vector<Source> sources;
   const pugi::xml_node points = piece.child("Points").child("DataArray");
@@ -166,7 +166,7 @@ void read_vtp(std::string_view bytes, PointSink& sink) {
   for (const pugi::xml_node& piece : file.root().child("PolyData").children("Piece")) {
     const auto points = count_in(piece.attribute("NumberOfPoints").as_string());
     if (!points) sink.fail("a piece has no NumberOfPoints; save the file again");
-    if (*points == 0) continue;  // VTK writes one where there is nothing
+    if (*points == 0) continue;  // VTK writes an empty piece for empty data
     all += std::min(*points, bytes.size() * most_deflated + 1);
     if (all > bytes.size() * most_deflated)
       sink.fail(

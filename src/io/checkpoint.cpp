@@ -22,7 +22,7 @@
 
 namespace freshet {
 
-// What run.json holds. A change here is a change of the format.
+// The contents of run.json. A change here is a change of the format.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeSteps, last, last_ruled, min, max, ruled, retried)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SolveStatistics, name, tolerance, solves, iterations,
                                    most_iterations, not_converged, last_iterations, last_error,
@@ -47,10 +47,10 @@ using JsonHeader = nlohmann::json;
 // The format changes with whatever makes an older program misread a newer file, or the reverse.
 constexpr int format = 4;
 constexpr std::string_view magic = "Freshet checkpoint\n";
-constexpr std::size_t block = 512;  // HDF5 looks for itself at 0, 512, 1024 ...
+constexpr std::size_t block = 512;  // HDF5 searches its signature at 0, 512, 1024 ...
 const std::string no_digest(64, '0');
 
-/// JSON has no infinity.
+/// Replaces infinity and NaN by the largest double, because JSON has neither.
 double finite(double x) {
   constexpr double most = std::numeric_limits<double>::max();
   return std::isnan(x) ? most : std::clamp(x, -most, most);
@@ -64,7 +64,7 @@ StateArray::Number number_of(const std::string& word) {
   return StateArray::Number(it - std::begin(number_words));
 }
 
-/// f with a number of the array's kind.
+/// Calls f with a value of the array's number type.
 template <class F> void with_number(StateArray::Number number, F f) {
   switch (number) {
     case StateArray::Number::int32:
@@ -149,7 +149,7 @@ void read_json(const JsonHeader& json, RunCheckpoint& c) {
                         {}});
 }
 
-/// The block before the HDF5, as long as every block.
+/// The block of 512 bytes before the HDF5 data.
 std::string header(int file_format, std::string_view version, std::size_t bytes,
                    const std::string& digest) {
   std::string text = fmt::format("{}format {}\nversion {}\nbytes {}\nsha256 {}\n", magic,
@@ -188,7 +188,7 @@ std::optional<Header> parse_header(std::string_view bytes) {
   throw Error(Error::Kind::run, file, why);
 }
 
-/// What the digest has vouched for.
+/// Reads the HDF5 data, whose digest has been checked.
 RunCheckpoint read_body(std::string_view body, const std::string& file_name) {
   RunCheckpoint c;
   const Hdf5Reader file(body, file_name);
@@ -230,7 +230,7 @@ RunCheckpoint decode_checkpoint(std::string_view bytes, const std::string& file)
     fail(file, "this checkpoint is damaged: its bytes are not those that its SHA-256 was made of");
   try {
     return read_body(body, file);
-  } catch (const std::exception& e) {  // no torn file: the digest is right
+  } catch (const std::exception& e) {  // not a damaged file: the digest is correct
     fail(file,
          std::string("this checkpoint has another content than its format asks for: ") + e.what());
   }

@@ -48,15 +48,15 @@ struct RunCheckpoint : Checkpoint {
   RunRecord run;
 };
 
-/// The bytes of a checkpoint's file: a block of 512 bytes with the format, the program's version
-/// and the SHA-256 of the whole file, then HDF5, which h5dump and the like read past that block.
+/// The bytes of a checkpoint file: a block of 512 bytes with the format, the program's version, the
+/// size and the SHA-256 of the whole file, then HDF5. Tools such as h5dump skip that block.
 std::string encode_checkpoint(const RunCheckpoint& checkpoint);
 
-/// Throws Error (kind run; its place is `file`) if the bytes are no checkpoint, torn, damaged, or
-/// of another version's format.
+/// Decodes a checkpoint file. Throws Error (kind run) at `file` if the bytes are not a checkpoint,
+/// incomplete, damaged, or of another format version.
 RunCheckpoint decode_checkpoint(std::string_view bytes, const std::string& file);
 RunCheckpoint read_checkpoint(const std::filesystem::path& file);
-/// The checkpoints in the folder of a run, the newest first.
+/// The checkpoints in a run folder, newest first.
 std::vector<std::filesystem::path> checkpoints_of(const std::filesystem::path& folder);
 
 }  // namespace freshet

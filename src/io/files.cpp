@@ -75,7 +75,7 @@ void fail_file(const std::filesystem::path& path, const std::string& operation, 
 void write_file(const std::filesystem::path& file, std::string_view bytes) {
   Temporary beside(file.string() + ".part");
   if (beside.fd < 0) {
-    beside.kept = true;  // not ours
+    beside.kept = true;  // open() failed: the file is not ours to remove
     fail_file(file, "write", errno);
   }
   write_all(beside.fd, file, bytes);

@@ -6,8 +6,8 @@
 
 namespace freshet {
 
-/// Writes a whole file or none: beside it, synced, then renamed.
-/// Throws Error (kind run) with the path, the system's reason and a remedy; what stood there stays.
+/// Writes a file: to a temporary file in the same folder, synced, then renamed. Throws Error (kind
+/// run) with the path, the system's reason and a remedy; an existing file then stays unchanged.
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
 /// Writes `bytes` at the end of a file that has `size` bytes by now, and syncs it. What stands
@@ -18,7 +18,7 @@ void append_file(const std::filesystem::path& file, std::size_t size, std::strin
 /// Puts a finished file in the place of another, or throws as write_file does.
 void rename_file(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Throws Error (kind run) that an operation on `path` failed for the reason in errno.
+/// Throws Error (kind run): `operation` on `path` failed for `reason`, a value of errno.
 [[noreturn]] void fail_file(const std::filesystem::path& path, const std::string& operation,
                             int reason);
 

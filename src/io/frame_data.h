@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Frames as files of other programs. Everything is little-endian, floats are of 4 bytes.
+/// Frames in the file formats of other programs. Data is little-endian; floats have 4 bytes.
 #pragma once
 #include <span>
 #include <string>
@@ -10,41 +10,41 @@
 
 namespace freshet {
 
-/// What a data file holds besides the position.
+/// The fields of a data file in addition to the position.
 struct DataFields {
   bool velocity = true, density = true, pressure = true, id = true;
-  bool half = false;  ///< HDF5: velocity, density and pressure of 2 bytes
+  bool half = false;  ///< HDF5: velocity, density and pressure as 2-byte floats
 
   DataFields() = default;
   explicit DataFields(const Scene::Output& output);
 };
 
-/// VTK XML PolyData: a point and a vertex a particle, 3 numbers a position and a velocity (z is 0
-/// in 2D), Float32; appended raw. Field data: TimeValue [s], Step, Dimension.
+/// VTK XML PolyData: a point and a vertex per particle. Positions and velocities have 3 components
+/// (z is 0 in 2D), Float32, in raw appended data. Field data: TimeValue [s], Step, Dimension.
 std::string encode_vtp(const Frame& frame, const DataFields& fields = {});
 
-/// PLY, binary: x, y, z, vx, vy, vz, density, pressure as float (z is 0 in 2D), id as uint, or as
-/// double where one needs more than 32 bits. Comments: time [s], step, dimension.
+/// Binary PLY: x, y, z, vx, vy, vz, density, pressure as float (z is 0 in 2D), id as uint, or as
+/// double if an id needs more than 32 bits. Comments: time [s], step, dimension.
 std::string encode_ply(const Frame& frame, const DataFields& fields = {});
 
-/// A line of names, then one a particle: step, time [s], id, x, y, ...; no z in 2D. Numbers are the
-/// shortest that read as the same float.
+/// CSV: a line of names, then one line per particle: step, time [s], id, x, y, ...; no z in 2D.
+/// Numbers are the shortest decimals that read as the same float.
 std::string encode_csv(const Frame& frame, const DataFields& fields = {});
 
-/// HDF5: position and velocity (N × D), density, pressure, id (u64), each with its unit; time [s],
-/// step and dimension of the file. A field with a number beyond 65504 keeps 4 bytes where `half`
-/// asks for 2; so does the position, always.
+/// HDF5: position and velocity (N × D), density, pressure, id (u64), each with its unit as
+/// attribute; time [s], step and dimension as attributes of the file. With `half`, a field with a
+/// magnitude above 65504 still has 4 bytes. The position always has 4 bytes.
 std::string encode_hdf5(const Frame& frame, const DataFields& fields = {});
 
 std::string encode_frame(DataFormat format, const Frame& frame, const DataFields& fields);
 
-/// The time series of ParaView: the k-th of `files`, beside it, is of the k-th of `times` [s].
+/// A ParaView time series: files[k] is at times[k] [s]. The files are in the same folder.
 std::string encode_pvd(std::span<const double> times, std::span<const std::string> files);
 
 inline constexpr const char* pvd_file = "data/frames.pvd";
-/// "data/frame_0000.vtp": the k-th data file of a run in this format, in the run's folder.
+/// The path of the k-th data file in the run folder, for example "data/frame_0000.vtp".
 std::string data_file(DataFormat format, std::int64_t k);
-/// All data files of a run that writes this many of each format.
+/// The paths of all data files of a run that writes `frames` files of each format.
 std::vector<std::string> data_files(const Scene::Output& output, std::int64_t frames);
 
 }  // namespace freshet

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Makes a frame of what a parser finds.
+/// Collects the columns of a parser in a frame.
 class FrameColumns final : public PointSink {
  public:
   explicit FrameColumns(std::string file) : PointSink(std::move(file)) {}
@@ -55,7 +55,7 @@ class FrameColumns final : public PointSink {
                                           "density", "pressure", "id", "step", "time", "liquid"};
   int dimension() const { return given_dimension_ ? given_dimension_ : place_[2] < 0 ? 2 : 3; }
   double finite(double value) const {
-    if (!(std::abs(value) <= 3e38))  // NaN too
+    if (!(std::abs(value) <= 3e38))  // true for NaN as well
       fail(fmt::format("a number is {}; the file is damaged", value));
     return value;
   }
@@ -99,7 +99,7 @@ bool is_frame(const fs::path& file, const std::string& extension) {
 std::vector<fs::path> frame_files(const fs::path& run_folder) {
   for (const char* extension : extensions) {
     std::vector<fs::path> files;
-    std::error_code ec;  // no folder: no files
+    std::error_code ec;  // a missing folder has no files
     for (const auto& entry : fs::directory_iterator(run_folder / "data", ec))
       if (is_frame(entry.path(), extension)) files.push_back(entry.path());
     std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {

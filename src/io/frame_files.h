@@ -8,16 +8,17 @@
 
 namespace freshet {
 
-/// The data files of a run's folder in the order of their frames, of the best format that it has:
-/// HDF5, else VTP, PLY, CSV. Empty if there are none.
+/// The data files in a run folder in the order of their frames. The format is the first that exists
+/// of HDF5, VTP, PLY and CSV. Empty if there are none.
 std::vector<std::filesystem::path> frame_files(const std::filesystem::path& run_folder);
 
-/// The frame of a data file. Ids that it lacks count from 0, other fields that it lacks are 0; a
-/// file of another program may lack the time and the step as well.
-/// Throws Error (kind scene) if it cannot be read, is damaged or of another kind.
+/// Reads a frame from a data file. Missing ids count from 0; other missing fields, the time and the
+/// step are 0. Throws Error (kind scene) if the file cannot be read, is damaged or of an unknown
+/// format.
 Frame read_frame(const std::filesystem::path& file);
 
-/// The same of bytes at hand; `file` tells the format, and stands in messages.
+/// Reads a frame from the bytes of a data file. The extension of `file` selects the format;
+/// messages contain `file`. Throws Error (kind scene).
 Frame frame_in(std::string_view bytes, const std::filesystem::path& file);
 
 }  // namespace freshet

@@ -22,7 +22,7 @@ Hdf5Float stored_as(const std::vector<float>& values, bool half) {
   return half && fits ? Hdf5Float::half : Hdf5Float::single;
 }
 
-/// A field of so many rows and columns, or zeros where the file has none.
+/// Reads a field of `rows` × `columns`; zeros if the file does not have it.
 std::vector<float> field(const Hdf5Reader& file, const char* name, std::size_t rows,
                          std::size_t columns, const std::string& place) {
   std::vector<float> values;

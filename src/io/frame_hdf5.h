@@ -7,8 +7,8 @@
 
 namespace freshet {
 
-/// The frame that encode_hdf5 made these bytes of; what is missing is 0, ids count from 0.
-/// Throws Error (kind scene) at `place`.
+/// Reads a frame from bytes of encode_hdf5. Missing fields are 0, missing ids count from 0. Throws
+/// Error (kind scene) at `place`.
 Frame decode_hdf5(std::string_view bytes, const std::string& place);
 
 }  // namespace freshet

@@ -9,10 +9,10 @@
 namespace freshet {
 namespace {
 
-/// Arrays behind the elements that name them, each after its size.
+/// The appended data: arrays, each after its size in bytes.
 class Appended {
  public:
-  /// The element of an array; its bytes join those before it.
+  /// Appends an array and returns its DataArray element.
   template <class T>
   std::string array(const char* type, const char* name, int components,
                     const std::vector<T>& values) {
@@ -28,7 +28,7 @@ class Appended {
   std::string bytes;
 };
 
-/// Three numbers a particle; z is 0 in 2D.
+/// Three numbers per particle; z is 0 in 2D.
 std::vector<float> in_space(const std::vector<float>& values, int dimension) {
   if (dimension == 3) return values;
   std::vector<float> all;
@@ -49,7 +49,7 @@ std::string point_data(const Frame& frame, const DataFields& fields, Appended& d
   return text + "      </PointData>\n";
 }
 
-/// A vertex a particle: without cells, other programs show nothing.
+/// A vertex cell per particle: other programs show nothing without cells.
 template <class Index> std::string verts(std::size_t n, const char* type, Appended& data) {
   std::vector<Index> places(n);
   std::iota(places.begin(), places.end(), Index(0));

@@ -8,8 +8,8 @@
 namespace freshet {
 namespace {
 
-constexpr std::size_t increment = 1 << 16;    // by which a file in memory grows
-constexpr const char* in_memory = "freshet";  // its name, which no disk sees
+constexpr std::size_t increment = 1 << 16;    // by which a file in memory grows [bytes]
+constexpr const char* in_memory = "freshet";  // name of a file that exists in memory only
 
 std::recursive_mutex& library() {
   static std::recursive_mutex mutex;
@@ -20,7 +20,7 @@ void require(bool good) {
   if (!good) throw Error(Error::Kind::run, "", "HDF5 cannot make a file; is memory left?");
 }
 
-/// Files in memory that never reach a disk by themselves.
+/// Access to files that exist in memory only.
 Hdf5Handle access_in_memory() {
   Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   require(access.good() && H5Pset_fapl_core(access.get(), increment, false) >= 0);
@@ -34,7 +34,7 @@ hid_t create_file() {
   return file;
 }
 
-/// -1 if the bytes are no file.
+/// Opens the bytes of a file. Returns a negative number if they are not an HDF5 file.
 hid_t open_file(std::string_view bytes) {
   const Hdf5Handle access = access_in_memory();
   if (bytes.empty()) return -1;
@@ -43,7 +43,7 @@ hid_t open_file(std::string_view bytes) {
   return H5Fopen(in_memory, H5F_ACC_RDONLY, access.get());
 }
 
-/// IEEE 754 binary16: 1 sign bit, 5 of the exponent, 10 of the mantissa.
+/// IEEE 754 binary16: 1 sign bit, 5 exponent bits, 10 mantissa bits.
 Hdf5Handle half_type() {
   Hdf5Handle type(H5Tcopy(H5T_IEEE_F32LE), H5Tclose);
   require(type.good() && H5Tset_fields(type.get(), 15, 10, 5, 0, 10) >= 0 &&
@@ -51,7 +51,7 @@ Hdf5Handle half_type() {
   return type;
 }
 
-/// A place for data; the groups in its name are made, and no time of making is noted.
+/// Creates a data set and the groups in its name. Without timestamps the bytes are reproducible.
 Hdf5Handle make_data(const Hdf5Handle& file, const std::string& name, hid_t type,
                      const Hdf5Handle& space) {
   const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
@@ -165,7 +165,7 @@ bool Hdf5Reader::has(const std::string& name) const {
 
 namespace {
 
-/// The extents of a list or a table; empty of anything else.
+/// The extents of a list or a table; empty for any other object.
 std::vector<hsize_t> extents_of(hid_t data) {
   const Hdf5Handle space(H5Dget_space(data), H5Sclose);
   const int rank = space.good() ? H5Sget_simple_extent_ndims(space.get()) : -1;
@@ -199,7 +199,7 @@ void Hdf5Reader::read_as(const std::string& name, hid_t memory, std::vector<T>& 
   if (!holds_numbers(data.get()))
     fail(fmt::format("\"{}\" does not hold numbers; is it the right file?", name));
   const std::size_t rows = extents_of(data.get())[0];
-  // what is compressed may be larger than the file, but by how much has a bound
+  // compressed data may be larger than the file, by at most the expansion of deflate
   constexpr std::size_t most_deflated = 1032;
   if (per > 0 && rows > size_ * most_deflated / per)
     fail(fmt::format("\"{}\" is larger than the file; it is damaged", name));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// HDF5 files made and read in memory, so that they reach the disk as all files do: whole or not.
+/// HDF5 files that are written and read in memory. write_file() then writes them, so that no
+/// partial file is left.
 #pragma once
 #include <hdf5.h>
 
@@ -13,8 +14,8 @@
 
 namespace freshet {
 
-/// Holds the library, which is not made for threads, and keeps it from printing. One thread may
-/// hold it several times.
+/// A lock of the library, which is not thread-safe. It also disables the library's messages. A
+/// thread may hold it several times.
 class Hdf5Lock {
  public:
   Hdf5Lock();
@@ -23,7 +24,7 @@ class Hdf5Lock {
   std::unique_lock<std::recursive_mutex> lock_;
 };
 
-/// An identifier of the library, closed when it goes.
+/// An identifier of the library, closed by the destructor.
 class Hdf5Handle {
  public:
   Hdf5Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
@@ -41,12 +42,12 @@ class Hdf5Handle {
   herr_t (*close_)(hid_t);
 };
 
-/// How floats are stored: 4 bytes, or the 2 of IEEE 754 binary16, to which the library rounds.
+/// The stored format of floats: 4 bytes, or IEEE 754 binary16, to which the library rounds.
 enum class Hdf5Float { single, half };
 
-/// A file in the making, the same bytes for the same data. Groups in a name ("fluid/x") are made. A
-/// `name` of several numbers an element has `columns` > 1: a table.
-/// Throws Error (kind run) where the library fails, which is when memory ends.
+/// Writes a file in memory. Equal data gives equal bytes. Groups in a name ("fluid/x") are created.
+/// With `columns` > 1 the data is a table. Throws Error (kind run) if the library fails, for
+/// example out of memory.
 class Hdf5Writer {
  public:
   Hdf5Writer();
@@ -63,12 +64,12 @@ class Hdf5Writer {
 
   void write_text(const std::string& name, const std::string& text);
 
-  /// Of the file where `name` is "/", else of what was written under that name.
+  /// Adds an attribute to the file if `name` is "/", else to the data set `name`.
   void attribute(const std::string& name, const std::string& key, double value);
   void attribute(const std::string& name, const std::string& key, std::int64_t value);
   void attribute(const std::string& name, const std::string& key, const std::string& value);
 
-  /// The whole file as it stands on a disk.
+  /// The bytes of the file.
   std::string bytes();
 
  private:
@@ -81,15 +82,15 @@ class Hdf5Writer {
   Hdf5Handle file_;
 };
 
-/// A file that was read whole. Throws Error (kind scene) at `place`, with the remedy.
+/// Reads a file whose bytes are in memory. Throws Error (kind scene) at `place`, with the remedy.
 class Hdf5Reader {
  public:
   Hdf5Reader(std::string_view bytes, std::string place);
 
   bool has(const std::string& name) const;
-  /// How many numbers an element has: 1 of a list, the columns of a table.
+  /// The number of columns: 1 for a list.
   std::size_t columns(const std::string& name) const;
-  /// The numbers under a name; other types of numbers are converted.
+  /// Reads the numbers of a data set and converts them to the type of `values`.
   void read(const std::string& name, std::vector<float>& values) const;
   void read(const std::string& name, std::vector<double>& values) const;
   void read(const std::string& name, std::vector<std::int32_t>& values) const;

@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* manifest_name = "manifest.json";
 
-/// What the manifest of an earlier run says; of its files only plain paths below the folder count.
+/// The manifest of an earlier run. Files that are not plain paths below the folder are ignored.
 struct Manifest {
   std::string state;
   std::set<std::string> files;
@@ -95,7 +95,7 @@ void RunFolder::make_places(const std::vector<std::string>& files) const {
   for (const std::string& file : files) made((path() / file).parent_path());
 }
 
-/// Removes what an earlier run has left; one that goes on loses its half-written files only.
+/// Removes the files of an earlier run. If the run is resumed, only its partial files are removed.
 void RunFolder::clear(Take take) {
   const fs::path manifest = path() / manifest_name;
   Manifest old;
@@ -112,7 +112,7 @@ void RunFolder::clear(Take take) {
       throw Error(Error::Kind::scene, (path() / file).string(),
                   "this file was not written by a run, and the run would replace it; move it or "
                   "choose another --output");
-  std::error_code ignored;  // a file of the manifest that is gone is fine
+  std::error_code ignored;  // a missing file of the manifest is no error
   for (const std::string& file : old.files) {
     fs::remove(path() / (file + ".part"), ignored);
     if (take == Take::resume) planned_.insert(file);
@@ -174,7 +174,7 @@ void RunFolder::finish(std::string_view state) {
   for (const std::string& file : planned_) {
     if (!fs::is_regular_file(path() / file)) continue;
     there.insert(file);
-    if (written_.contains(file)) continue;  // else before this run went on
+    if (written_.contains(file)) continue;  // the others were written before the run was resumed
     const std::string bytes = read_whole(path() / file);
     written_[file] = {bytes.size(), digest_of(bytes)};
   }

@@ -12,18 +12,18 @@
 
 namespace freshet {
 
-/// Who made a run, for its manifest.
+/// The origin of a run, for its manifest.
 struct Provenance {
   std::vector<std::string> command;
   std::string backend, isa;
   int threads = 1;
 };
 
-/// A folder that one run at a time may write into.
+/// The lock of a folder: one run at a time may write into it.
 class FolderLock {
  public:
-  /// Throws Error (kind scene) if another run writes into it, (kind run) if there is no such
-  /// folder.
+  /// Throws Error (kind scene) if another run writes into the folder, (kind run) if it does not
+  /// exist.
   explicit FolderLock(std::filesystem::path folder);
   /// Of a folder that is made where it is missing.
   static FolderLock of_new(const std::filesystem::path& folder);
@@ -39,7 +39,7 @@ class FolderLock {
 };
 
 /// The folder of a run. manifest.json names every file before it is written, so that a run that was
-/// killed can be cleared away, or goes on, as well. One thread at a time.
+/// killed can be replaced or resumed. Not thread-safe.
 class RunFolder {
  public:
   enum class Take { empty, overwrite, resume };
@@ -51,7 +51,7 @@ class RunFolder {
 
   const std::filesystem::path& path() const { return lock_.folder(); }
   void write(const std::string& file, std::string_view bytes);
-  /// The same of a file that was not planned.
+  /// Writes a file that was not planned, and adds it to the manifest first.
   void write_more(const std::string& file, std::string_view bytes);
   /// Adds bytes at the end of a planned file, which the first call makes.
   void append(const std::string& file, std::string_view bytes);
@@ -61,9 +61,9 @@ class RunFolder {
   /// file is missing. Throws Error (kind run) if it begins otherwise.
   bool continue_file(const std::string& file, std::size_t bytes, const std::string& sha256);
   void remove(const std::string& file);
-  /// The last word of the manifest: the files that are there, with their sizes and digests.
+  /// Writes the final manifest: `state`, and the existing files with their sizes and digests.
   void finish(std::string_view state);
-  /// How the run that goes on here had ended; "running" if it was killed.
+  /// The state in the manifest of the earlier run; "running" if it was killed.
   const std::string& earlier_state() const { return earlier_state_; }
 
  private:

@@ -17,7 +17,7 @@
 #include "freshet/error.h"
 #include "io/files.h"
 
-extern "C" char** environ;  // POSIX leaves its declaration to programs
+extern "C" char** environ;  // POSIX headers do not declare it
 
 namespace freshet {
 namespace {
@@ -78,7 +78,7 @@ Video::Video(std::filesystem::path file, int width, int height, double fps)
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  posix_spawnattr_t own_group;  // Ctrl-C ends the run, which then lets ffmpeg finish the film
+  posix_spawnattr_t own_group;  // Ctrl-C ends the run only, which then lets ffmpeg finish the video
   posix_spawnattr_init(&own_group);
   posix_spawnattr_setflags(&own_group, POSIX_SPAWN_SETPGROUP);
   const int code = ::posix_spawnp(&ffmpeg_, "ffmpeg", &actions, &own_group, argv.data(), ::environ);

@@ -8,12 +8,11 @@
 
 namespace freshet {
 
-/// Pipes pictures to ffmpeg, which makes an .mp4 or a .gif of them; the file appears when it is
-/// whole.
+/// Pipes pictures to ffmpeg, which encodes an .mp4 or a .gif. The file appears when it is complete.
 class Video {
  public:
-  /// Throws Error (kind scene) if ffmpeg is missing, the ending is neither .mp4 nor .gif, or the
-  /// file exists and may not be replaced. Called before a run touches its folder.
+  /// Throws Error (kind scene) if ffmpeg is missing, the extension is neither .mp4 nor .gif, or the
+  /// file exists and may not be replaced. Call it before a run changes its folder.
   static void check(const std::filesystem::path& file, bool overwrite);
 
   Video(std::filesystem::path file, int width, int height, double fps);
@@ -21,7 +20,7 @@ class Video {
   Video(const Video&) = delete;
   Video& operator=(const Video&) = delete;
 
-  /// Throws Error (kind run) with ffmpeg's last words if it ended early.
+  /// Adds a picture. Throws Error (kind run) with the last output of ffmpeg if it ended early.
   void add(const Image& image);
   void finish();
 

@@ -9,8 +9,10 @@ inline namespace FRESHET_ISA {
 /// 16/(pi h^6) in 3D
 /// [Monaghan 1992: M4, whose smoothing length is h/2; the two cubes are its two pieces].
 ///
-/// grad W(x_ij) = -3c ((h - r)_+ + (h - 2r)_+) min((h - r)_+/r, 1) x_ij: the difference of the two
-/// squares, factored. Inside h/2 the minimum is 1, and the pole at the centre is gone.
+/// grad W(x_ij) = -3c ((h - r)_+ + (h - 2r)_+) min((h - r)_+/r, 1) x_ij
+///
+/// The gradient is the factored difference of two squares. For r <= h/2 the minimum is 1, so there
+/// is no pole at the centre.
 ///
 ///   h         support radius [m], 1e-6 m or more, so that float's c is finite
 ///   W         [1/m^D];  gradient [1/m^(D+1)], zero at the centre;  both zero from h on

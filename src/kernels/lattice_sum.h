@@ -8,7 +8,8 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// f at each point of the lattice around the origin, as far as the support reaches.
+/// Calls f(x) for each point x [m] of the square (cubic) lattice in a cube around the origin that
+/// covers the support.
 template <int D, class F> void on_lattice(double spacing, double support_radius, F f) {
   const int m = int(support_radius / spacing) + 1, mz = D == 3 ? m : 0;
   for (int kz = -mz; kz <= mz; ++kz)
@@ -22,8 +23,8 @@ template <int D, class F> void on_lattice(double spacing, double support_radius,
       }
 }
 
-/// The mean of r in a kernel, the integral of r W(r) over all space [m]. 2/pi of it in 2D, half of
-/// it in 3D, is the mean distance from a plane through the middle.
+/// The mean of r under a kernel: the integral of r W(r) over all space [m], by the midpoint rule.
+/// The mean distance from a plane through the centre is 2/pi times this in 2D, half of it in 3D.
 template <int D, class Kernel> double mean_distance(const Kernel& W, double support_radius) {
   constexpr int shells = 1000;
   const double dr = support_radius / shells;
@@ -38,7 +39,7 @@ template <int D, class Kernel> double mean_distance(const Kernel& W, double supp
   return sum;
 }
 
-/// sum_j |grad W(x_j)|^2 over the lattice [1/m^(2D + 2)].
+/// sum_j |grad W(x_j)|^2 over a lattice [1/m^(2D + 2)].
 template <int D, class Kernel>
 double lattice_response(const Kernel& W, double spacing, double support_radius) {
   double sum = 0;
@@ -47,12 +48,12 @@ double lattice_response(const Kernel& W, double spacing, double support_radius) 
   return sum;
 }
 
-/// The greatest eigenvalue of the pressure's equations on a lattice without ends, over their
-/// diagonal: max over waves k of |sum_j grad W(x_j) sin(k · x_j)|^2/sum_j |grad W(x_j)|^2. A step
-/// of Jacobi's converges if it is shorter than 2 over that.
+/// The largest eigenvalue of the pressure equations on an infinite lattice over their diagonal:
+/// max over waves k of |sum_j grad W(x_j) sin(k · x_j)|^2/sum_j |grad W(x_j)|^2. A relaxed Jacobi
+/// iteration converges if its relaxation factor is below 2 over this number.
 template <int D, class Kernel>
 double lattice_stiffness(const Kernel& W, double spacing, double support_radius) {
-  constexpr int waves = 12;  // from 0 to the shortest, along each axis
+  constexpr int waves = 12;  // per axis; the shortest has a wavelength of two spacings
   double most = 0;
   for (int wave = 0; wave < (D == 3 ? waves * waves * waves : waves * waves); ++wave) {
     Vec<D, double> g{}, k{};
@@ -70,7 +71,7 @@ double lattice_stiffness(const Kernel& W, double spacing, double support_radius)
   return most / lattice_response<D>(W, spacing, support_radius);
 }
 
-/// sum_j W(x_j) over the plane of the lattice that lies so many spacings from the origin.
+/// sum_j W(x_j) over a lattice plane at a distance of `away` spacings from the origin [1/m^D].
 template <int D, class Kernel>
 double layer_sum(const Kernel& W, double spacing, double support_radius, double away) {
   const int m = int(support_radius / spacing) + 1, mz = D == 3 ? m : 0;
@@ -86,11 +87,11 @@ double layer_sum(const Kernel& W, double spacing, double support_radius, double 
   return sum;
 }
 
-/// sum_j W(x_j) dx^D over the square (cubic) lattice of spacing dx, the origin included: what a
-/// density sum yields, over the rest density, inside a resting lattice. 1 for a fine lattice; its
-/// distance from 1 is the kernel's lattice error at this ratio of support to spacing.
+/// sum_j W(x_j) dx^D over the square (cubic) lattice of spacing dx, the origin included: the
+/// density sum inside a resting lattice over the rest density. It tends to 1 for a fine lattice.
+/// Its difference from 1 is the kernel's lattice error at this ratio of support to spacing.
 ///
-///   spacing, support_radius  [m], > 0;  cost (2 support/spacing + 1)^D kernel calls.
+///   spacing, support_radius  [m], > 0;  cost (2 support/spacing + 1)^D kernel calls
 template <int D, class Kernel>
 double lattice_sum(const Kernel& W, double spacing, double support_radius) {
   const int m = int(support_radius / spacing) + 1;
@@ -99,9 +100,10 @@ double lattice_sum(const Kernel& W, double spacing, double support_radius) {
   return sum * std::pow(spacing, D);
 }
 
-/// How many spacings away from a lattice that fills a half space one layer of samples, as dense and
-/// of volume 1/sum_l W_kl each, stands for the other half: the lattice then has its rest density up
-/// to the wall.
+/// The distance [spacings] at which a single layer of boundary particles replaces the missing half
+/// of a lattice that fills a half space. The layer has the lattice's spacing, and its particles
+/// have the volume 1/sum_l W_kl each. At this distance the density sum of the outermost lattice
+/// layer is the rest density. It is found by bisection.
 template <int D, class Kernel>
 double single_layer_distance(const Kernel& W, double spacing, double support_radius) {
   const auto layer = [&](double away) { return layer_sum<D>(W, spacing, support_radius, away); };

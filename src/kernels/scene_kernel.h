@@ -7,13 +7,14 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The order of a Wendland kernel; 0: the cubic spline.
+/// The order 2, 4 or 6 of a Wendland kernel; 0 for the cubic spline.
 constexpr int wendland_order(KernelName kernel) { return 2 * int(kernel); }
 
-/// The kernel of a scene, chosen when a run starts. One compiled kernel for all, for passes that are
-/// not the fastest; the branch is the same for all particles. Its bits are those of each kernel.
+/// The kernel of a scene, chosen when a run starts. It is one compiled type for all kernels, for
+/// passes whose speed does not matter; its branch is the same for all particles. Its bits are those
+/// of CubicSpline and WendlandSmooth.
 ///
-///   h  support radius [m], h > 0
+///   h  support radius [m], h > 0;   W [1/m^D], gradient [1/m^(D+1)]
 template <int D> struct SceneKernel {
   CubicSpline<D> cubic_spline;
   WendlandSmooth<D> wendland;

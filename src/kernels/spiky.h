@@ -6,13 +6,13 @@ namespace freshet {
 inline namespace FRESHET_ISA {
 
 /// grad W(x_ij) = -c (h - r)^2 x_ij/r for r < h, else 0;  c = 30/(pi h^5) in 2D, 45/(pi h^6) in 3D
-/// [Mueller 2003, eq. 21: W = (c/3)(h - r)^3]. Its gradient does not vanish at r -> 0, so close
-/// particles part.
+/// [Mueller 2003, eq. 21: W = (c/3)(h - r)^3]. The gradient does not vanish for r -> 0, so pressure
+/// separates particles that are close.
 ///
 ///   h         support radius [m], h > 0
-///   gradient  [1/m^(D+1)]; zero within 1e-6 m of the centre, where it has no direction
-///   factor    what stands over pi h^(D+3): 30 (2D) or 45 (3D) is the derivative of W; the article
-///             has 10 in 2D, a third of it.
+///   gradient  [1/m^(D+1)]; zero within 1e-6 m of the centre, where its direction is undefined
+///   factor    numerator of c over pi h^(D+3): 30 (2D) or 45 (3D) for the derivative of W. The
+///             article uses 10 in 2D, a third of the derivative.
 template <int D> struct Spiky {
   static constexpr Real derivative = D == 2 ? 30 : 45;
   Real h, c;

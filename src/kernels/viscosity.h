@@ -6,7 +6,7 @@ namespace freshet {
 inline namespace FRESHET_ISA {
 
 /// lap W(r) = c (h - r) for r < h, else 0;  c = 40/(pi h^5) in 2D, 45/(pi h^6) in 3D
-/// [Mueller 2003, eq. 22]. Never negative, so viscosity only ever takes energy out.
+/// [Mueller 2003, eq. 22]. It is never negative, so viscosity never adds energy.
 ///
 ///   h  support radius [m], h > 0;   laplacian [1/m^(D+2)]
 template <int D> struct ViscosityKernel {

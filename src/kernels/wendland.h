@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-/// Wendland's kernels [Wendland 1995], with the constants of Dehnen & Aly 2012, table 1, which are
-/// the same in 2D and 3D up to the factor. Their gradients are powers of u = 1 - r/h times x_ij:
-/// smooth at the centre, without a division. Lattices under them do not pair; the smoother ones
-/// want wider supports.
+/// Wendland's kernels [Wendland 1995], with the constants of Dehnen & Aly 2012, table 1. Their form
+/// is equal in 2D and 3D; the constant c differs. The gradient is a polynomial in r/h times x_ij:
+/// it is smooth at the centre and needs no division. Particles under these kernels do not form
+/// pairs. C4 and C6 need wider supports than C2.
 #pragma once
 #include "core/vec.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// q = r/h and u = 1 - q; q = 1, u = 0 from h on, so that powers stay finite however far j is.
+/// q = r/h and u = 1 - q, clamped to q = 1 and u = 0 for r >= h: powers stay finite for any r.
 template <class R> struct Wendland {
   R q, u;
   FRESHET_HD Wendland(Real h, Real inv_h, R r) {
     const R inside = min(r, R(h));
     q = inside * inv_h;
-    u = (h - inside) * inv_h;  // zero at h to the bit, which 1 - q is not
+    u = (h - inside) * inv_h;  // exactly zero at h; 1 - q may differ from zero by rounding
   }
 };
 
@@ -44,9 +44,10 @@ template <int D> struct WendlandC2 {
 
 /// W(r) = c (1 - q)^6 (3 + 18q + 35q^2)/3, q = r/h < 1, else 0;  c = 9/(pi h^2) in 2D,
 /// 495/(32 pi h^3) in 3D [Dehnen & Aly 2012, table 1];
-/// grad W(x_ij) = -56/3 c/h^2 (1 - q)^5 (1 + 5q) x_ij. Supports of 3 spacings or more.
+/// grad W(x_ij) = -56/3 c/h^2 (1 - q)^5 (1 + 5q) x_ij
 ///
-///   units and range as WendlandC2's
+///   h         support radius [m], h > 0; use 3 spacings or more
+///   W         [1/m^D];  gradient [1/m^(D+1)], zero at the centre;  both zero from h on
 template <int D> struct WendlandC4 {
   Real h, inv_h, c3, g;
   explicit WendlandC4(Real h)
@@ -68,9 +69,10 @@ template <int D> struct WendlandC4 {
 
 /// W(r) = c (1 - q)^8 (1 + 8q + 25q^2 + 32q^3), q = r/h < 1, else 0;  c = 78/(7 pi h^2) in 2D,
 /// 1365/(64 pi h^3) in 3D [Dehnen & Aly 2012, table 1];
-/// grad W(x_ij) = -22 c/h^2 (1 - q)^7 (1 + 7q + 16q^2) x_ij. Supports of 3 spacings or more.
+/// grad W(x_ij) = -22 c/h^2 (1 - q)^7 (1 + 7q + 16q^2) x_ij
 ///
-///   units and range as WendlandC2's
+///   h         support radius [m], h > 0; use 3 spacings or more
+///   W         [1/m^D];  gradient [1/m^(D+1)], zero at the centre;  both zero from h on
 template <int D> struct WendlandC6 {
   Real h, inv_h, c, g;
   explicit WendlandC6(Real h)

@@ -5,11 +5,11 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// WendlandC2, C4 or C6, whichever is asked for when a run starts: one compiled kernel for all, a
-/// few operations a pair slower than each.
+/// WendlandC2, C4 or C6, chosen when a run starts. It is one compiled type for all three. A pair
+/// takes a few operations more than with the separate kernels.
 ///
 ///   h      support radius [m], h > 0;   order  2, 4 or 6
-///   W [1/m^D], gradient [1/m^(D+1)]: those of the kernel of that order
+///   W      [1/m^D];  gradient [1/m^(D+1)], zero at the centre;  both zero from h on
 template <int D> struct WendlandSmooth {
   Real h, inv_h, c, g;
   Real u4, u6, u8;  // W = c (u4 + u6 (1 - q)^2 + u8 (1 - q)^4) (1 - q)^4 (1 + p1 q + ...)

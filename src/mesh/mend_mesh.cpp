@@ -21,14 +21,14 @@ double diagonal_of(const TriangleMesh& mesh) {
   return norm(high - low);
 }
 
-/// Each point's first that lies where it does.
+/// For each point the lowest index of the points that coincide with it, closer than `apart` [m].
 std::vector<int> first_together(const std::vector<Point>& x, double apart) {
   std::vector<int> order(x.size()), first(x.size());
   std::iota(order.begin(), order.end(), 0);
   std::iota(first.begin(), first.end(), 0);
   const auto at = [&](int k) { return x[std::size_t(k)]; };
-  // In the order of a direction that no face of a box is across: its points would all be equal.
-  constexpr Point askew{0.7548, 0.5698, 0.3247};  // no longer than 1
+  // Sorted along a direction that is not normal to a box's faces: their points would all be equal.
+  constexpr Point askew{0.7548, 0.5698, 0.3247};  // its length is at most 1
   const auto along = [&](int k) { return dot(at(k), askew); };
   std::sort(order.begin(), order.end(),
             [&](int a, int b) { return along(a) != along(b) ? along(a) < along(b) : a < b; });
@@ -71,7 +71,7 @@ void remove_none(TriangleMesh& mesh, MeshCondition& found) {
   mesh.triangles = std::move(kept);
 }
 
-/// A triangle at an edge, and whether it runs along it from its lower point to its higher.
+/// A triangle at an edge, and whether it passes the edge from the lower to the higher point index.
 struct Side {
   int triangle;
   bool upward;
@@ -91,7 +91,8 @@ Edges edges_of(const TriangleMesh& mesh) {
 
 void turn(Triangle& t) { std::swap(t[1], t[2]); }
 
-/// Those of a shell that face the other way than most of it are turned.
+/// The connected shells of a mesh. It turns the triangles of a shell that face opposite to its
+/// majority.
 class Shells {
  public:
   Shells(TriangleMesh& mesh, const Edges& edges)
@@ -110,7 +111,8 @@ class Shells {
       if (shell_[k] < 0) turned += turn_minority(int(k));
     return turned;
   }
-  /// Whole shells whose inside is out, unless they are the hollow of another.
+  /// Turns shells that are inside out, unless they are the hollow of another. Returns the number of
+  /// triangles turned.
   std::int64_t turn_outwards() {
     std::int64_t turned = 0;
     for (std::size_t s = 0; s < shells_.size(); ++s) {
@@ -142,7 +144,7 @@ class Shells {
     shells_.push_back(std::move(all));
     return most ? std::int64_t(shells_.back().size()) - count : count;
   }
-  /// Of what a shell encloses, six times.
+  /// Six times the volume that a shell encloses; negative if it is inside out [m^3].
   double volume(const std::vector<int>& shell) const {
     const Point origin = mesh_.corners(shell[0])[0];
     double sum = 0;

@@ -13,8 +13,8 @@ namespace {
 using Point = TriangleMesh::Point;
 using Corners = std::array<Point, 3>;
 
-constexpr int leaf = 4;      // triangles of a node that is not cut
-constexpr double far = 2.3;  // radii from which a node is a dipole
+constexpr int leaf = 4;      // maximum number of triangles of a leaf
+constexpr double far = 2.3;  // distance in radii from which a node counts as a dipole
 
 Point least(Point a, Point b) {
   return each(a, b, [](double p, double q) { return std::min(p, q); });
@@ -27,8 +27,8 @@ double distance2(Point low, Point high, Point x) {
   return norm2(most(most(low - x, x - high), Point{}));
 }
 
-/// The point of a triangle that is nearest to x, by the region of its plane that x lies over
-/// [Ericson 2005, 5.1.5].
+/// The point of a triangle nearest to x, by the region of its plane that x projects to [Ericson
+/// 2005, 5.1.5].
 Point nearest_of(const Corners& t, Point x) {
   const auto& [a, b, c] = t;
   const Point ab = b - a, ac = c - a, ax = x - a, bx = x - b, cx = x - c;
@@ -45,7 +45,8 @@ Point nearest_of(const Corners& t, Point x) {
   return a + vb / (va + vb + vc) * ab + vc / (va + vb + vc) * ac;
 }
 
-/// Where a ray meets a triangle [Möller and Trumbore 1997].
+/// The distance at which a ray meets a triangle, in units of `direction` [Möller and Trumbore
+/// 1997].
 std::optional<double> hit(const Corners& t, Point from, Point direction) {
   const Point ab = t[1] - t[0], ac = t[2] - t[0], p = cross(direction, ac);
   const double determinant = dot(ab, p);
@@ -110,7 +111,8 @@ MeshDistance::Node MeshDistance::node_around(int first, int count) const {
   return node;
 }
 
-/// Cut in the middle of the longest side's order.
+/// Builds the node of `count` triangles from `first` on. It is split at the median along its
+/// longest side. Returns the index of the node.
 int MeshDistance::build(int first, int count) {
   const int place = int(nodes_.size());
   nodes_.push_back(node_around(first, count));

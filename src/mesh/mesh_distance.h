@@ -6,20 +6,20 @@
 
 namespace freshet {
 
-/// The share of the sphere around x that a triangle covers, positive where x is behind it
-/// [Van Oosterom and Strackee 1983].
+/// The fraction of the unit sphere around x that a triangle covers, positive if x is behind the
+/// triangle [Van Oosterom and Strackee 1983].
 double solid_angle(const std::array<Vec<3, double>, 3>& triangle, Vec<3, double> x);
 
-/// How far a point is from a mesh, and whether it is inside: by a tree of boxes around triangles.
+/// Distance to a mesh and inside test, by a tree of boxes around triangles.
 ///
-/// Inside is where the winding number is above one half, which small holes and overlaps of shells
-/// do not upset [Jacobson, Kavan and Sorkine-Hornung 2013]; what is far off counts as a dipole
-/// [Barill et al. 2018].
+/// A point is inside if its winding number is above one half. This test is robust to small holes
+/// and overlapping shells [Jacobson, Kavan and Sorkine-Hornung 2013]. Distant nodes count as
+/// dipoles [Barill et al. 2018].
 class MeshDistance {
  public:
   using Point = TriangleMesh::Point;
 
-  /// A mended mesh with a triangle.
+  /// `mesh` must be mended and have at least one triangle.
   explicit MeshDistance(TriangleMesh mesh);
 
   const TriangleMesh& mesh() const { return mesh_; }
@@ -35,14 +35,14 @@ class MeshDistance {
   Nearest nearest(Point x) const;
   double winding_number(Point x) const;
   bool is_inside(Point x) const;
-  /// To the surface [m]; negative inside.
+  /// The distance from the surface [m]; negative inside.
   double signed_distance(Point x) const;
-  /// How far the first triangle is that a ray meets beyond `least`, in units of its direction.
+  /// The distance at which a ray first meets a triangle beyond `least`, in units of `direction`.
   std::optional<double> first_hit(Point from, Point direction, double least) const;
 
  private:
-  /// Triangles first .. first + count of `order_` if count > 0; else the nodes after it and at
-  /// `second`.
+  /// A leaf has the triangles first to first + count - 1 of `order_`. An inner node has count 0;
+  /// its children are the next node and the node `second`.
   struct Node {
     Point low, high;
     Point center, area_normal;  ///< of the dipole

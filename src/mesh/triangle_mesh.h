@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Surfaces made of triangles: read, mended, and asked whether they enclose something.
+/// Triangle meshes: reading, repair, and a test whether they are closed.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace freshet {
 
 struct TriangleMesh {
   using Point = Vec<3, double>;
-  using Triangle = std::array<int, 3>;  ///< counterclockwise as seen from outside
+  using Triangle = std::array<int, 3>;  ///< counterclockwise seen from outside
   std::vector<Point> points;
   std::vector<Triangle> triangles;
 
@@ -22,29 +22,28 @@ struct TriangleMesh {
   }
 };
 
-/// Whether this build reads files of triangles: it does where it found Assimp.
+/// Whether this build reads mesh files, which needs Assimp.
 bool reads_meshes();
 
-/// Reads the triangles of a *.stl, *.obj or *.ply file; faces of more corners are cut into
-/// triangles, lines and lone points are left out. Throws Error (kind scene) at FILE.
+/// Reads the triangles of a *.stl, *.obj or *.ply file. Polygons are split into triangles; lines
+/// and single points are skipped. Throws Error (kind scene) at FILE.
 TriangleMesh read_mesh(const std::filesystem::path& file);
 
-/// What mend_mesh found, and did.
+/// The findings and repairs of mend_mesh.
 struct MeshCondition {
-  std::int64_t merged = 0;        ///< points that lay on another
+  std::int64_t merged = 0;        ///< points that coincided with another
   std::int64_t degenerate = 0;    ///< triangles removed: two of their corners are one point
   std::int64_t doubled = 0;       ///< triangles removed: another has the same corners
-  std::int64_t turned = 0;        ///< triangles turned over: they faced the other way than the rest
-  std::int64_t open = 0;          ///< edges that only one triangle has
-  std::int64_t crowded = 0;       ///< edges that more than two triangles have
+  std::int64_t turned = 0;        ///< triangles turned: they faced opposite to the rest
+  std::int64_t open = 0;          ///< edges of only one triangle
+  std::int64_t crowded = 0;       ///< edges of more than two triangles
   TriangleMesh::Point open_at{};  ///< the middle of the first open edge
   bool closed() const { return open == 0; }
 };
 
-/// Makes one point of those that lie together (nearer than 1e-7 of the mesh's diagonal), removes
-/// triangles that are none, turns those that face the other way than their neighbours, and then
-/// whole shells that are inside out. A shell inside another that faces inwards stays: it is a
-/// hollow.
+/// Repairs a mesh. It merges points closer than 1e-7 of the mesh's diagonal and removes degenerate
+/// and duplicate triangles. It turns triangles that face opposite to their neighbours, then whole
+/// shells that are inside out. A shell inside another that faces inwards stays: it is a hollow.
 MeshCondition mend_mesh(TriangleMesh& mesh);
 
 }  // namespace freshet

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Walls of several layers of particles, whose pressure and velocity are extrapolated from the
-/// fluid: a generalized wall boundary condition for SPH [Adami, Hu, Adams 2012].
+/// Pair terms of walls with several layers of boundary particles, whose pressure and velocity are
+/// extrapolated from the fluid: a generalized wall boundary condition for SPH [Adami, Hu, Adams
+/// 2012].
 #pragma once
 #include "core/fluid_particles.h"
 #include "pairs/becker2007_forces.h"
@@ -8,7 +9,7 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// What a wall particle w learns of the fluid around it.
+/// The sums over fluid particles f from which a wall particle w extrapolates.
 template <int D, class R> struct Adami2012Sums {
   R W{}, p{}, rho_x{};  ///< sum_f W, p_f W, rho_f x_wf · (g - a_w) W
   Vec<D, R> v{};        ///< sum_f v_f W
@@ -24,7 +25,8 @@ template <int D, class R> struct Adami2012Sums {
 /// p_w = (sum_f p_f W_wf + (g - a_w) · sum_f rho_f x_wf W_wf)/sum_f W_wf  [eq. 27]
 /// v_w = 2 u_w - sum_f v_f W_wf/sum_f W_wf                 [eqs. 22 and 23: no slip]
 ///
-///   u_w, a_w   velocity and acceleration of the wall there [m/s, m/s^2]
+///   u_w, a_w   velocity and acceleration of the wall at w [m/s, m/s^2]
+///   reads p [Pa], rho [kg/m^D] and v [m/s] of the fluid; yields Adami2012Sums
 template <int D, template <int> class Kernel> struct Adami2012Extrapolation {
   Kernel<D> W;
   Vec<D> gravity;
@@ -50,8 +52,11 @@ template <int D, template <int> class Kernel> struct Adami2012Extrapolation {
 template <int D, template <int> class K, class... A>
 Adami2012Extrapolation(K<D>, A...) -> Adami2012Extrapolation<D, K>;
 
-/// What drho_i/dt = rho_i sum_w V v_i · grad W_iw over walls at rest is less by where they move,
-/// over rho_i: sum_w V u_w · grad W_iw. It is apart, so that walls at rest cost nothing.
+/// sum_w V u_w · grad W_iw: the density rate of moving walls, over rho_i. It is subtracted from the
+/// rate for walls at rest, rho_i sum_w V v_i · grad W_iw. It is a separate pass, so that scenes
+/// without moving walls do not pay for it.
+///
+///   V [m^D], u_w [m/s];  the sum in 1/s
 template <int D, template <int> class Kernel> struct Adami2012MovingRate {
   Kernel<D> W;
   Real V;
@@ -70,8 +75,10 @@ Adami2012MovingRate(K<D>, A...) -> Adami2012MovingRate<D, K>;
 
 /// dv_i/dt += -sum_w m (p_i/rho_i^2 + p_w/rho0^2 + friction_w Pi_iw) grad W_iw
 ///
-/// The fluid's own sum [Becker and Teschner 2007] over wall particles of the fluid's mass.
-/// friction: 1 for no slip, 0 for free slip.
+/// Forces of wall particles that have the fluid's mass [Becker and Teschner 2007, eqs. 6 and 10].
+///
+///   m [kg], rho0 [kg/m^D], friction 1 for no slip, 0 for free slip
+///   reads p, p_wall [Pa], rho [kg/m^D] (> 0), v, v_wall [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Adami2012Forces {
   Kernel<D> W;
   ArtificialViscosity Pi;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The transport velocity [Adami, Hu, Adams 2013].
+/// Pair terms of the transport velocity [Adami, Hu, Adams 2013].
 #pragma once
 #include "core/fluid_particles.h"
 #include "pairs/per_liquid.h"
@@ -7,12 +7,12 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// What a uniform pressure pushes a particle by, and where the particles end.
+/// The sums for the push of a uniform pressure and for the detection of the free surface.
 template <int D, class R> struct Adami2013Sums {
   Vec<D, R> push{};   ///< sum_j (V_i^2 + V_j^2) grad W_ij  [m^(D-1)]
-  R div_x{};          ///< -sum_j V_j x_ij · grad W_ij: D inside, less at a surface
+  R div_x{};          ///< -sum_j V_j x_ij · grad W_ij: D inside, smaller at a free surface
   Vec<D, R> slope{};  ///< sum_j V_j grad W_ij  [1/m]
-  Vec<D, R> wall{};   ///< the same over samples of walls
+  Vec<D, R> wall{};   ///< sum_k V_k grad W_ik over boundary particles  [1/m]
   FRESHET_HD Adami2013Sums& operator+=(const Adami2013Sums& o) {
     push += o.push;
     div_x += o.div_x;
@@ -27,9 +27,9 @@ FRESHET_HD Adami2013Sums<D, R> adami2013_sums(const Vec<D, R>& x_ij, const Vec<D
   return {(V_i * V_i + V_j * V_j) * gradient, -V_j * dot(x_ij, gradient), V_j * gradient, {}};
 }
 
-/// The sums over particles of the volumes m/rho_j.
+/// Adami2013Sums over fluid particles of the volumes V_j = m/rho_j.
 ///
-///   m [kg];  reads rho
+///   m [kg];  reads rho [kg/m^D]
 template <int D, template <int> class Kernel> struct Adami2013Background {
   Kernel<D> W;
   Real m;
@@ -47,8 +47,10 @@ template <int D, template <int> class Kernel> struct Adami2013Background {
 template <int D, template <int> class K, class... A>
 Adami2013Background(K<D>, A...) -> Adami2013Background<D, K>;
 
-/// The same over samples of walls, of the volumes mass_k/rho0; of one mass where `mass` has no
-/// memory.
+/// Adami2013Sums over boundary particles of the volumes V_k = mass_k/rho0. Without memory for
+/// `mass` they all have the mass m.
+///
+///   m, mass [kg], rho0 [kg/m^D];  reads rho [kg/m^D]
 template <int D, template <int> class Kernel> struct Adami2013WallBackground {
   Kernel<D> W;
   Real m, rho0;
@@ -68,7 +70,7 @@ template <int D, template <int> class Kernel> struct Adami2013WallBackground {
 template <int D, template <int> class K, class... A>
 Adami2013WallBackground(K<D>, A...) -> Adami2013WallBackground<D, K>;
 
-/// What particles that leave the flow carry along: an acceleration [m/s^2] and a rate of density
+/// The effect of the transport velocity on the flow: an acceleration [m/s^2] and a density rate
 /// [kg/(m^D s)].
 template <int D, class R> struct Adami2013Rates {
   Vec<D, R> a{};
@@ -83,8 +85,10 @@ template <int D, class R> struct Adami2013Rates {
 /// a    1/m sum_j (V_i^2 + V_j^2) (A_i + A_j)/2 · grad W_ij,  A = rho v (v~ - v)
 /// rho  (u_i · grad) rho = sum_j V_j (rho_j - rho_i) (u_i · grad W_ij),  u = v~ - v
 ///
-///   m [kg];  reads rho, v and u [m/s]. A lighter liquid has less of both rho and m: A is of its
-///   own rho, and the sum is to be taken up by the lightness of i.
+///   m [kg];  reads rho [kg/m^D], v and u [m/s]
+///
+/// With several liquids, A uses the liquid's own density rho/lightness, and the caller multiplies
+/// the sum by the lightness of i.
 template <int D, template <int> class Kernel> struct Adami2013Transport {
   Kernel<D> W;
   Real m;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Walls of one layer of samples, each of which stands for as much wall as its neighbours leave it:
-/// versatile rigid-fluid coupling [Akinci, Ihmsen, Akinci, Solenthaler, Teschner 2012].
+/// Pair terms of walls with one layer of boundary particles. Each has the volume that its
+/// neighbours leave it: versatile rigid-fluid coupling [Akinci, Ihmsen, Akinci, Solenthaler,
+/// Teschner 2012].
 #pragma once
 #include "core/field.h"
 #include "pairs/becker2007_forces.h"
@@ -8,7 +9,8 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// psi_k = rho0 V_k = rho0/sum_l W_kl over the samples of the wall [eqs. 4 and 5]: yields the sum.
+/// sum_l W_kl over the boundary particles l of the wall [1/m^D], from which the caller gets
+/// psi_k = rho0 V_k = rho0/sum_l W_kl [eqs. 4 and 5].
 template <int D, template <int> class Kernel> struct Akinci2012Volume {
   Kernel<D> W;
   template <class R> using At = Nothing<R>;
@@ -22,6 +24,8 @@ template <int D, template <int> class Kernel> struct Akinci2012Volume {
 template <int D, template <int> class K> Akinci2012Volume(K<D>) -> Akinci2012Volume<D, K>;
 
 /// rho_i += sum_k psi_k W_ik  [eq. 6]
+///
+///   psi [kg];  the sum in kg/m^D
 template <int D, template <int> class Kernel> struct Akinci2012Density {
   Kernel<D> W;
   Field<Real> psi;
@@ -39,8 +43,10 @@ Akinci2012Density(K<D>, A...) -> Akinci2012Density<D, K>;
 
 /// dv_i/dt += -sum_k psi_k (p_i/rho_i^2 + friction_k Pi_ik) grad W_ik  [eqs. 9, 11 and 13]
 ///
-/// The wall mirrors the pressure of the particle, and moves by v_k. friction: 1 for no slip, 0 for
-/// free slip.
+/// The wall mirrors the pressure of the particle and moves with v_k.
+///
+///   psi [kg], friction 1 for no slip, 0 for free slip
+///   reads p [Pa], rho [kg/m^D] (> 0), v, v_wall [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Akinci2012Forces {
   Kernel<D> W;
   ArtificialViscosity Pi;

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
-/// Versatile surface tension and adhesion for SPH fluids [Akinci, Akinci, Teschner 2013].
+/// Pair terms of versatile surface tension and adhesion for SPH fluids [Akinci, Akinci, Teschner
+/// 2013].
 ///
-/// Lengths are measured in h, the support radius, and masses in rho0 h^D, so that gamma has one
-/// unit in 2D and in 3D: m/s^2. In the paper the cohesion has a mass more than the normals, so that
-/// their ratio is one of units; here normals have a tenth of what these units give them, with
-/// which drops in 3D do not burst (docs/forces.md).
+/// Lengths are in units of the support radius h and masses in units of rho0 h^D, so gamma has one
+/// unit in 2D and 3D: m/s^2. In the paper the cohesion term has one factor of mass more than the
+/// normal term, so their ratio depends on the units. Here the normal term is scaled by 0.1: drops
+/// in 3D then do not burst (docs/forces.md).
 #pragma once
 #include "pairs/per_liquid.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// gamma over sigma/(rho0 h^2), with h the support radius: measured, at a support of 2 spacings
-/// (docs/forces.md).
+/// gamma/(sigma/(rho0 h^2)), with h the support radius. The values are measured at a support of 2
+/// spacings (docs/forces.md).
 template <int D> constexpr double akinci2013_gamma = D == 2 ? 42 : 56;
 
 /// n_i = h sum_j m/rho_j grad W_ij, towards the fluid  [sec. 3.2]
 ///
-///   h, m [m, kg];  reads rho;  the sum is a pure number, and zero inside
+///   h, m [m, kg];  reads rho [kg/m^D];  the sum is dimensionless, and zero inside
 template <int D, template <int> class Kernel> struct Akinci2013Normal {
   Kernel<D> W;
   Real h, m;
@@ -34,26 +35,27 @@ template <int D, template <int> class Kernel> struct Akinci2013Normal {
 template <int D, template <int> class K, class... A>
 Akinci2013Normal(K<D>, A...) -> Akinci2013Normal<D, K>;
 
-/// 32/pi (1 - q)^3 q^3, and twice that less 1/64 of the factor for q <= 1/2; q = r/h  [eq. 2]
+/// C(q) = 32/pi (1 - q)^3 q^3 for 1/2 < q <= 1, 32/pi (2 (1 - q)^3 q^3 - 1/64) for q <= 1/2;
+/// q = r/h, at most 1  [eq. 2]
 template <class R> FRESHET_HD R akinci2013_cohesion(R q) {
   const R u = max(1 - q, R(0)), c = u * u * u * (q * q * q);
   const R near = 2 * c - R(Real(1) / 64);
   return Real(32) / pi * select(q > R(Real(0.5f)), c, near);
 }
-/// 0.007 (-4 q^2 + 6 q - 2)^(1/4) for 1/2 <= q <= 1, else 0  [eq. 7]
+/// A(q) = 0.007 (-4 q^2 + 6 q - 2)^(1/4) for 1/2 <= q <= 1, else 0;  q = r/h  [eq. 7]
 template <class R> FRESHET_HD R akinci2013_adhesion(R q) {
   const R u = max(R(6) * q - R(4) * q * q - R(2), R(0));
   return Real(0.007f) * sqrt(sqrt(u));
 }
 
-constexpr Real akinci2013_share = Real(0.1f);  ///< of the normals
+constexpr Real akinci2013_share = Real(0.1f);  ///< factor s of the normal term
 
 /// f_i = -sum_j gamma_ij 2 rho0/(rho_i + rho_j) m/(rho0 h^D)
-///               (C(|x_ij|) x_ij/|x_ij| + s (n_i - n_j))  [eqs. 1, 3, 4 and 5]
+///               (C(|x_ij|/h) x_ij/|x_ij| + s (n_i - n_j))  [eqs. 1, 3, 4 and 5]
 ///
-/// with gamma_ij the mean and s the normals' share. Conserves momentum.
+/// with gamma_ij = (gamma_i + gamma_j)/2 and s = akinci2013_share. It conserves momentum.
 ///
-///   gamma [m/s^2], m_h = m/(rho0 h^D);  reads rho and n
+///   gamma [m/s^2], m_h = m/(rho0 h^D);  reads rho [kg/m^D] and n;  the sum in m/s^2
 template <int D> struct Akinci2013Tension {
   Real h, rho0, m_h;
   PerLiquid gamma;
@@ -76,9 +78,11 @@ template <int D> struct Akinci2013Tension {
   }
 };
 
-/// f_i = -sum_k beta psi_k/(rho0 h^D) A(|x_ik|) x_ik/|x_ik|  over samples of walls  [eq. 6]
+/// f_i = -sum_k beta psi_k/(rho0 h^D) A(|x_ik|/h) x_ik/|x_ik|  over boundary particles  [eq. 6]
+///
+///   h [m], beta [m/s^2], psi [kg];  the sum in m/s^2
 template <int D> struct Akinci2013Adhesion {
-  Real h, per_mass;  ///< per_mass 1/(rho0 h^D)
+  Real h, per_mass;  ///< per_mass = 1/(rho0 h^D) [1/kg]
   PerLiquid beta;
   Field<Real> psi;
   template <class R> struct At { R beta; };

@@ -5,18 +5,19 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The sums behind a renormalized gradient of the density.
+/// The sums of a renormalized density gradient.
 template <int D, class R> struct RenormalizedSums {
   Vec<D, R> gradient{};  ///< sum_j (rho_j - rho_i) V_j grad W_ij
-  Vec<D, R> row[D]{};    ///< sum_j x_ji (x) V_j grad W_ij, the identity in a whole neighbourhood
+  Vec<D, R> row[D]{};    ///< sum_j x_ji (x) V_j grad W_ij, the identity in a full neighbourhood
   FRESHET_HD RenormalizedSums& operator+=(const RenormalizedSums& o) {
     gradient += o.gradient;
     for (int k = 0; k < D; ++k) row[k] += o.row[k];
     return *this;
   }
 
-  /// The slope s with gradient = sum_k s_k row_k: L_i applied; unrenormalized where there are too
-  /// few neighbours to tell (the matrix is nearly singular).
+  /// The solution s of gradient = sum_k s_k row_k, that is L_i applied to the gradient. With too
+  /// few neighbours (determinant <= 0.05) the matrix is nearly singular: then the gradient is
+  /// returned without renormalization.
   FRESHET_HD Vec<D, R> renormalized() const {
     const Vec<D, R>*a = row, b = gradient;
     constexpr R least = R(0.05f);
@@ -41,7 +42,9 @@ template <int D, class R> struct RenormalizedSums {
 /// <grad rho>_i = L_i sum_j (rho_j - rho_i) grad W_ij V_j,
 /// L_i = (sum_j x_ji (x) grad W_ij V_j)^-1  [Antuono et al. 2010, eq. 7; Randles and Libersky 1996]
 ///
-/// Exact for a linear density, also at a surface.  reads rho [kg/m^D]
+/// It is exact for a linear density, also at a free surface.
+///
+///   m [kg];  reads rho [kg/m^D] (> 0);  the gradient in kg/m^(D+1)
 template <int D, template <int> class Kernel> struct DensityGradient {
   Kernel<D> W;
   Real m;
@@ -68,7 +71,8 @@ DensityGradient(K<D>, A...) -> DensityGradient<D, K>;
 /// delta h c0 sum_j V_j psi_ij · grad W_ij,
 /// psi_ij = 2 (rho_j - rho_i) x_ji/|x_ij|^2 - <grad rho>_i - <grad rho>_j  [Antuono 2010, eq. 10]
 ///
-///   m [kg], delta_h_c [m^2/s], eps_h2 [m^2];  reads rho and its gradient
+///   m [kg], delta_h_c = delta h c0 [m^2/s] with h half the support, eps_h2 0.01 h^2 [m^2]
+///   reads rho [kg/m^D] (> 0) and <grad rho>;  the sum in kg/(m^D s)
 template <int D, template <int> class Kernel> struct Antuono2010Diffusion {
   Kernel<D> W;
   Real m, delta_h_c, eps_h2;

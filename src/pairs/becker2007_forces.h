@@ -8,7 +8,8 @@ inline namespace FRESHET_ISA {
 /// Pi_ij = -nu_ij min(v_ij · x_ij, 0)/(|x_ij|^2 + eps h^2),  nu_ij = 2 alpha h c/(rho_i + rho_j)
 /// [Becker and Teschner 2007, eq. 11, with eps = 0.01; Monaghan 1992]
 ///
-/// An artificial viscosity: it acts on particles that approach, and it conserves both momenta.
+/// Artificial viscosity. It acts on particles that approach each other. It conserves momentum and
+/// angular momentum.
 ///
 ///   two_alpha_h_c  2 alpha h c with h half the support [m^2/s];   eps_h2  0.01 h^2 [m^2]
 struct ArtificialViscosity {

@@ -6,7 +6,7 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// What delta-SPH sums: an acceleration [m/s^2] and a rate of density [kg/(m^D s)].
+/// The sums of delta-SPH: an acceleration [m/s^2] and a density rate [kg/(m^D s)].
 template <int D, class R> struct DeltaSphSum {
   Vec<D, R> a{};
   R drho{};
@@ -20,11 +20,11 @@ template <int D, class R> FRESHET_HD Vec<D, R> acceleration(const DeltaSphSum<D,
   return sum.a;
 }
 
-/// The numbers that all terms of delta-SPH share.
+/// The parameters that all terms of delta-SPH share.
 ///
 ///   m, rho0        mass [kg], rest density [kg/m^D]
-///   alpha_h_c      alpha h c0, of the artificial viscosity [m^2/s];  h half the support
-///   delta_h_c      delta h c0, of the density diffusion [m^2/s]
+///   alpha_h_c      alpha h c0 of the artificial viscosity [m^2/s];  h half the support
+///   delta_h_c      delta h c0 of the density diffusion [m^2/s]
 ///   eps_h2         0.01 h^2, keeps divisions by |x_ij|^2 finite [m^2]
 struct DeltaSphNumbers {
   Real m, rho0, alpha_h_c, delta_h_c, eps_h2;
@@ -37,7 +37,7 @@ struct DeltaSphNumbers {
 /// [Antuono, Colagrossi, Marrone, Molteni 2010, eq. 10; Fourtakas, Dominguez, Vacondio, Rogers
 /// 2019, eq. 14: G is the slope of the hydrostatic density, rho0 g/c0^2 to first order]
 ///
-///   G [kg/m^(D+1)];  reads p [Pa], rho [kg/m^D] (> 0), v [m/s]
+///   G [kg/m^(D+1)];  reads p [Pa], rho [kg/m^D] (> 0), v [m/s];  sums in m/s^2, kg/(m^D s)
 template <int D, template <int> class Kernel> struct DeltaSphRates {
   Kernel<D> W;
   DeltaSphNumbers c;
@@ -74,9 +74,16 @@ template <int D, template <int> class Kernel> struct DeltaSphRates {
 template <int D, template <int> class K, class... A>
 DeltaSphRates(K<D>, A...) -> DeltaSphRates<D, K>;
 
-/// The same sums over wall particles w, without diffusion, and with the density's rate as if they
-/// were at rest. Their volume is V_w; their pressure and velocity are what they extrapolated [Adami
-/// 2012]. Walls push and never pull.
+/// The rates of delta-SPH over the layers of wall particles w [Adami 2012]:
+///
+///   drho_i/dt += rho_i sum_w V v_i · grad W_iw
+///   dv_i/dt   += 1/rho_i sum_w V (alpha h c0 rho0 friction_w pi_iw - max(p_i, 0) - p_w) grad W_iw
+///
+/// with V = m/rho0 and the extrapolated pressure p_w and velocity v_w. Walls have no density
+/// diffusion and never attract. The density rate is that of walls at rest; Adami2012MovingRate
+/// corrects it.
+///
+///   reads p, p_wall [Pa], rho [kg/m^D] (> 0), v, v_wall [m/s]; friction 1 no slip, 0 free slip
 template <int D, template <int> class Kernel> struct DeltaSphAdamiRates {
   Kernel<D> W;
   DeltaSphNumbers c;
@@ -107,8 +114,13 @@ template <int D, template <int> class Kernel> struct DeltaSphAdamiRates {
 template <int D, template <int> class K, class... A>
 DeltaSphAdamiRates(K<D>, A...) -> DeltaSphAdamiRates<D, K>;
 
-/// The same sums over samples k that mirror the particle's pressure [Akinci 2012]: V_k =
-/// psi_k/rho0.
+/// The rates of delta-SPH over boundary particles k that mirror the particle's pressure [Akinci
+/// 2012]:
+///
+///   drho_i/dt += rho_i sum_k V_k v_ik · grad W_ik,  V_k = psi_k/rho0
+///   dv_i/dt   += 1/rho_i sum_k V_k (alpha h c0 rho0 friction_k pi_ik - 2 max(p_i, 0)) grad W_ik
+///
+///   psi [kg];  reads p [Pa], rho [kg/m^D] (> 0), v, v_wall [m/s]; friction 1 no slip, 0 free slip
 template <int D, template <int> class Kernel> struct DeltaSphAkinciRates {
   Kernel<D> W;
   DeltaSphNumbers c;
@@ -141,7 +153,8 @@ template <int D, template <int> class Kernel> struct DeltaSphAkinciRates {
 template <int D, template <int> class K, class... A>
 DeltaSphAkinciRates(K<D>, A...) -> DeltaSphAkinciRates<D, K>;
 
-/// A wall's repulsion beside the rates: it does not change densities.
+/// Wraps a term that yields an acceleration, such as a wall's repulsion, as a DeltaSphSum with a
+/// density rate of zero.
 template <int D, class TermT> struct AsRates {
   TermT term;
   template <class R> using At = typename TermT::template At<R>;

@@ -5,9 +5,9 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// What a particle's density is, and how it answers to a pressure of its own.
+/// The density of a particle, and the sums of its response to its own pressure.
 template <int D, class R> struct DensityAndResponse {
-  R rho{}, gradient2{};  ///< sum_j m W_ij;  sum_j l_j |m grad W_ij|^2 over what can move
+  R rho{}, gradient2{};  ///< sum_j m W_ij;  sum_j l_j |m grad W_ij|^2 over fluid particles
   Vec<D, R> gradient{};  ///< sum_j m grad W_ij
   FRESHET_HD DensityAndResponse& operator+=(const DensityAndResponse& o) {
     rho += o.rho;
@@ -15,12 +15,14 @@ template <int D, class R> struct DensityAndResponse {
     gradient += o.gradient;
     return *this;
   }
-  /// l_i |sum_j m grad W_ij|^2 + sum_j l_j |m grad W_ij|^2, l the lightness: how fast Drho_i/Dt
-  /// falls as p_i/rho_i^2 grows, pushed for a unit of time  [Bender and Koschier 2017, eq. 9:
-  /// rho_i/alpha_i; Ihmsen 2014, eq. 12: -rho_i^2 a_ii/dt^2]
+  /// l_i |sum_j m grad W_ij|^2 + sum_j l_j |m grad W_ij|^2, l the lightness [kg^2/m^(2D+2)]: the
+  /// decrease of Drho_i/Dt per unit of p_i/rho_i^2 that acts for a unit of time [Bender and
+  /// Koschier 2017, eq. 9: rho_i/alpha_i; Ihmsen 2014, eq. 12: -rho_i^2 a_ii/dt^2]
   FRESHET_HD R response(R l_i) const { return l_i * norm2(gradient) + gradient2; }
 };
 
+/// DensityAndResponse over fluid particles.
+///
 ///   m  mass [kg];  m_density  mass over the kernel's lattice sum [kg]
 template <int D, template <int> class Kernel> struct FluidDensityAndResponse {
   Kernel<D> W;
@@ -41,7 +43,9 @@ template <int D, template <int> class Kernel> struct FluidDensityAndResponse {
 template <int D, template <int> class K, class... A>
 FluidDensityAndResponse(K<D>, A...) -> FluidDensityAndResponse<D, K>;
 
-/// Of the samples of a wall, which do not move.
+/// DensityAndResponse over boundary particles. They do not move and add nothing to gradient2.
+///
+///   psi [kg]
 template <int D, template <int> class Kernel> struct Akinci2012DensityAndResponse {
   Kernel<D> W;
   Field<Real> psi;

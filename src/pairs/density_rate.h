@@ -7,7 +7,9 @@ inline namespace FRESHET_ISA {
 
 /// Drho_i/Dt = sum_j m (v_i - v_j) · grad W_ij  [Bender and Koschier 2017, eq. 10]
 ///
-///   m [kg], v [m/s]: the rate in kg/m^D/s; or of accelerations, the rate's own
+///   m [kg], v [m/s];  the sum in kg/(m^D s)
+///
+/// With accelerations in place of v it is the rate of Drho_i/Dt [kg/(m^D s^2)].
 template <int D, template <int> class Kernel> struct DensityRate {
   Kernel<D> W;
   Real m;
@@ -23,7 +25,9 @@ template <int D, template <int> class Kernel> struct DensityRate {
 };
 template <int D, template <int> class K, class... A> DensityRate(K<D>, A...) -> DensityRate<D, K>;
 
-/// Drho_i/Dt += sum_k psi_k v_i · grad W_ik  over samples of walls at rest  [Akinci 2012]
+/// Drho_i/Dt += sum_k psi_k v_i · grad W_ik  over boundary particles at rest  [Akinci 2012]
+///
+///   psi [kg], v [m/s];  the sum in kg/(m^D s)
 template <int D, template <int> class Kernel> struct Akinci2012DensityRate {
   Kernel<D> W;
   Field<Real> psi;
@@ -40,8 +44,11 @@ template <int D, template <int> class Kernel> struct Akinci2012DensityRate {
 template <int D, template <int> class K, class... A>
 Akinci2012DensityRate(K<D>, A...) -> Akinci2012DensityRate<D, K>;
 
-/// What the rate above is less by where samples move: sum_k psi_k v_k · grad W_ik. It is apart, so
-/// that walls at rest cost nothing.
+/// sum_k psi_k v_k · grad W_ik: the density rate by moving boundary particles, which is subtracted
+/// from Akinci2012DensityRate. It is a separate pass, so that scenes without moving walls do not
+/// pay for it.
+///
+///   psi [kg], v_wall [m/s];  the sum in kg/(m^D s)
 template <int D, template <int> class Kernel> struct MovingDensityRate {
   Kernel<D> W;
   Field<Real> psi;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-/// Generalized drag force for particle-based simulations [Gissler, Band, Peer, Ihmsen, Teschner
-/// 2017]: how much of a particle the air meets.
+/// Pair term of the generalized drag force for particle-based simulations [Gissler, Band, Peer,
+/// Ihmsen, Teschner 2017]: the part of a particle that is exposed to the air.
 #pragma once
 #include "core/field.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// How many neighbours a particle has, itself not counted, and how squarely the one that hides it
-/// best stands in the wind: the greatest cosine, at least 0.
+/// neighbors: the number of neighbours without the particle itself. hidden: the maximum cosine
+/// between the direction to a neighbour and the velocity relative to the air, clamped to 0 from
+/// below. 1 is fully hidden.
 template <int D, class R> struct Gissler2017Exposure {
   R neighbors{}, hidden{};
   FRESHET_HD Gissler2017Exposure& operator+=(const Gissler2017Exposure& o) {
@@ -20,7 +21,7 @@ template <int D, class R> struct Gissler2017Exposure {
 
 /// max_j of -u_i · x_ij/|x_ij| with u_i = (v_i - wind)/|v_i - wind|, and the count  [eqs. 12, 15]
 ///
-///   h [m], wind [m/s];  reads v
+///   h  support radius [m];  wind [m/s];  reads v [m/s]
 template <int D> struct Gissler2017Neighbor {
   Real h;
   Vec<D> wind;

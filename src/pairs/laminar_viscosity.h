@@ -9,18 +9,19 @@ inline namespace FRESHET_ISA {
 ///                                 - xsph/dt v_ij W_ij),  nu_ij = 2 nu_i nu_j/(nu_i + nu_j)
 ///
 /// The first part is nu lap v [Monaghan 2005, with the factor of a divergence-free flow in D
-/// dimensions], the second takes each particle a share of the way to its neighbours' mean velocity
-/// [Monaghan 1989, XSPH as Schechter and Bridson 2012 have it]. Both conserve momentum, the first
-/// its moment as well. Of two liquids the mean is the one of equal stress on both sides [Cleary and
-/// Monaghan 1999].
+/// dimensions]. The second part moves each velocity a share of the way to its neighbours' mean
+/// [Monaghan 1989; XSPH in the form of Schechter and Bridson 2012]. Both conserve momentum; the
+/// first conserves angular momentum as well. The harmonic mean nu_ij makes the stress equal on both
+/// sides of the interface of two liquids [Cleary and Monaghan 1999].
 ///
-///   m [kg], nu [m^2/s], eps_h2 0.01 h^2 [m^2], xsph_rate xsph/dt [1/s];  reads rho, v
+///   m [kg], nu [m^2/s], eps_h2 0.01 h^2 [m^2], xsph_rate xsph/dt [1/s]
+///   reads rho [kg/m^D] (> 0), v [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct LaminarViscosity {
   Kernel<D> W;
   Real m;
   Liquids liquids;
   Real eps_h2, xsph_rate;
-  static constexpr Real least_nu = 1e-30f;  ///< two liquids without viscosity have none
+  static constexpr Real least_nu = 1e-30f;  ///< avoids 0/0 where both viscosities are zero
   FluidParticles<D> f;
   template <class R> struct At {
     R rho, nu;
@@ -40,7 +41,13 @@ template <int D, template <int> class Kernel> struct LaminarViscosity {
 template <int D, template <int> class K, class... A>
 LaminarViscosity(K<D>, A...) -> LaminarViscosity<D, K>;
 
-/// The same of the samples of a wall, as heavy as psi and as dense as the particle.
+/// a_i += sum_k psi_k friction_k/rho_i 2 (D + 2) nu_i (v_ik · x_ik)/(|x_ik|^2 + eps) grad W_ik
+///
+/// The viscosity of Monaghan 2005 at boundary particles of mass psi_k, density rho_i and viscosity
+/// nu_i. There is no XSPH part.
+///
+///   psi [kg], friction 1 for no slip, 0 for free slip, eps_h2 0.01 h^2 [m^2]
+///   reads rho [kg/m^D] (> 0), v, v_wall [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Akinci2012Friction {
   Kernel<D> W;
   Liquids liquids;

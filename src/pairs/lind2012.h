@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-/// Particle shifting along the concentration of particles [Lind, Xu, Stansby, Rogers 2012], as the
-/// delta-plus-SPH model does it as well [Sun, Colagrossi, Marrone, Zhang 2017].
+/// Pair terms of particle shifting along the gradient of the particle concentration [Lind, Xu,
+/// Stansby, Rogers 2012]. The delta-plus-SPH model uses them as well [Sun, Colagrossi, Marrone,
+/// Zhang 2017].
 #pragma once
 #include "core/fluid_particles.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Where a particle's neighbours crowd, and whether they are all there.
+/// The gradient of the particle concentration, and the sums that detect the free surface and walls.
 template <int D, class R> struct Lind2012Sums {
   Vec<D, R> crowd{};  ///< sum_j V_j (1 + 0.2 (W_ij/W(spacing))^4) grad W_ij  [1/m]
-  R div_x{};          ///< -sum_j V_j x_ij · grad W_ij: D inside, less at a surface
+  R div_x{};          ///< -sum_j V_j x_ij · grad W_ij: D inside, smaller at a free surface
   Vec<D, R> slope{};  ///< sum_j V_j grad W_ij  [1/m]
-  Vec<D, R> wall{};   ///< sum_k V_k grad W_ik over samples of walls, towards them  [1/m]
+  Vec<D, R> wall{};   ///< sum_k V_k grad W_ik over boundary particles, towards them  [1/m]
   FRESHET_HD Lind2012Sums& operator+=(const Lind2012Sums& o) {
     crowd += o.crowd;
     div_x += o.div_x;
@@ -22,9 +23,9 @@ template <int D, class R> struct Lind2012Sums {
   }
 };
 
-/// The sums over particles of the volumes m/rho_j.
+/// Lind2012Sums over fluid particles of the volumes V_j = m/rho_j.
 ///
-///   m [kg], W_spacing W at the distance of one spacing [1/m^D];  reads rho
+///   m [kg];  W_spacing  W at the distance of one spacing [1/m^D];  reads rho [kg/m^D] (> 0)
 template <int D, template <int> class Kernel> struct Lind2012Crowd {
   Kernel<D> W;
   Real m, W_spacing;
@@ -44,8 +45,10 @@ template <int D, template <int> class Kernel> struct Lind2012Crowd {
 template <int D, template <int> class K, class... A>
 Lind2012Crowd(K<D>, A...) -> Lind2012Crowd<D, K>;
 
-/// The same over samples of walls, of the volumes mass_k/rho0; of one mass where `mass` has no
-/// memory.
+/// Lind2012Sums over boundary particles of the volumes V_k = mass_k/rho0. Without memory for `mass`
+/// they all have the mass m.
+///
+///   m, mass [kg], rho0 [kg/m^D];  W_spacing  W at the distance of one spacing [1/m^D]
 template <int D, template <int> class Kernel> struct Lind2012WallCrowd {
   Kernel<D> W;
   Real m, rho0, W_spacing;
@@ -65,9 +68,9 @@ template <int D, template <int> class Kernel> struct Lind2012WallCrowd {
 template <int D, template <int> class K, class... A>
 Lind2012WallCrowd(K<D>, A...) -> Lind2012WallCrowd<D, K>;
 
-/// sum_j W_ij edge_j: across a free surface near it, and zero farther inside.
+/// sum_j W_ij edge_j: a normal of the free surface near it, and zero farther inside.
 ///
-///   reads edge, the slope of the concentration at particles of the surface, zero at all others
+///   reads edge: Lind2012Sums::slope at particles of the free surface, zero elsewhere
 template <int D, template <int> class Kernel> struct Lind2012Normal {
   Kernel<D> W;
   Field<Vec<D>> edge;
@@ -83,7 +86,7 @@ template <int D, template <int> class Kernel> struct Lind2012Normal {
 template <int D, template <int> class K, class... A>
 Lind2012Normal(K<D>, A...) -> Lind2012Normal<D, K>;
 
-/// What is different where a particle is shifted to  [1/s times v, rho].
+/// The rates of velocity [m/s^2] and density [kg/(m^D s)] of a shifted particle.
 template <int D, class R> struct ShiftedRates {
   Vec<D, R> v{};
   R rho{};
@@ -94,10 +97,10 @@ template <int D, class R> struct ShiftedRates {
   }
 };
 
-/// (u_i · grad) q = sum_j V_j (q_j - q_i) (u_i · grad W_ij) of the velocity and the density
+/// (u_i · grad) q = sum_j V_j (q_j - q_i) (u_i · grad W_ij) for q the velocity and the density
 /// [Lind, Xu, Stansby, Rogers 2012, eq. 33]
 ///
-///   m [kg];  reads rho, v and u, the velocity of the shift
+///   m [kg];  reads rho [kg/m^D] (> 0), v and the velocity u of the shift [m/s]
 template <int D, template <int> class Kernel> struct ShiftedState {
   Kernel<D> W;
   Real m;

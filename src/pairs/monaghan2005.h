@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Smoothed particle hydrodynamics [Monaghan 2005]: the viscosity of a liquid along the line of
-/// each pair. Weiler 2018 solves for the same term.
+/// Pair terms of the viscosity of Smoothed particle hydrodynamics [Monaghan 2005]. The force acts
+/// along the line of each pair. The implicit solver of Weiler 2018 uses the same terms.
 #pragma once
 #include "pairs/per_liquid.h"
 
@@ -9,9 +9,12 @@ inline namespace FRESHET_ISA {
 
 /// f_i = sum_j 2 m mu_ij/(rho_i rho_j) (D + 2) (v_ij · x_ij)/(|x_ij|^2 + eps) grad W_ij
 /// [sec. 8, with the factor of a divergence-free flow in D dimensions; Weiler, Koschier, Brand,
-/// Bender 2018, eq. 5]: mu lap v/rho. Conserves both momenta.
+/// Bender 2018, eq. 5]
 ///
-///   m [kg], mu [Pa s], eps_h2 1e-4 h^2 [m^2];  reads rho, and v: any field of velocities [m/s]
+/// It approximates mu lap v/rho. It conserves momentum and angular momentum.
+///
+///   m [kg], mu [Pa s], eps_h2 1e-4 h^2 [m^2] with h half the support
+///   reads rho [kg/m^D] (> 0) and v, any field of velocities [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Monaghan2005Viscosity {
   Kernel<D> W;
   Real m, eps_h2;
@@ -34,7 +37,13 @@ template <int D, template <int> class Kernel> struct Monaghan2005Viscosity {
 template <int D, template <int> class K, class... A>
 Monaghan2005Viscosity(K<D>, A...) -> Monaghan2005Viscosity<D, K>;
 
-/// The same of samples of walls at rest, as heavy as psi, as dense and as viscous as the particle.
+/// f_i += sum_k 2 psi_k friction_k mu_i/rho_i^2 (D + 2) (v_i · x_ik)/(|x_ik|^2 + eps) grad W_ik
+///
+/// The viscosity of Monaghan 2005 at boundary particles at rest, of mass psi_k, density rho_i and
+/// viscosity mu_i.
+///
+///   psi [kg], friction 1 for no slip, 0 for free slip, mu [Pa s], eps_h2 1e-4 h^2 [m^2]
+///   reads rho [kg/m^D] (> 0), v [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Monaghan2005Akinci {
   Kernel<D> W;
   Real eps_h2;
@@ -59,8 +68,14 @@ template <int D, template <int> class Kernel> struct Monaghan2005Akinci {
 template <int D, template <int> class K, class... A>
 Monaghan2005Akinci(K<D>, A...) -> Monaghan2005Akinci<D, K>;
 
-/// The same of the layers of walls, of a particle's mass and rest density, that move as `v_wall`
-/// says: at rest, or as the fluid's velocity goes on beyond the wall [Adami 2012, eq. 23].
+/// f_i += sum_k 2 m friction_k mu_i/(rho_i rho0) (D + 2) (v_ik · x_ik)/(|x_ik|^2 + eps) grad W_ik
+///
+/// The viscosity of Monaghan 2005 at the layers of walls, of mass m, density rho0 and viscosity
+/// mu_i. They move with `v_wall`, the extrapolated velocity of the fluid [Adami 2012, eq. 23], or
+/// are at rest if `at_rest` is true.
+///
+///   m [kg], rho0 [kg/m^D], friction 1 for no slip, 0 for free slip, mu [Pa s]
+///   eps_h2 1e-4 h^2 [m^2];  reads rho [kg/m^D] (> 0), v [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Monaghan2005Adami {
   Kernel<D> W;
   Real m, rho0, eps_h2;

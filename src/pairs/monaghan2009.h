@@ -5,11 +5,11 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// dv_i/dt += sum_k K x_ik/|x_ik|^2 W(|x_ik|/h)  over the samples of a wall
+/// dv_i/dt += sum_k K x_ik/|x_ik|^2 W(|x_ik|/h)  over the boundary particles of a wall
 /// W(q) = 1.77/32 (1 + 5/2 q + 2 q^2) (2 - q)^5  for q < 2, else 0
-/// [Monaghan and Kajtar 2009, eq. 3.1, with samples as dense as the fluid (beta = 1) and as heavy]
+/// [Monaghan and Kajtar 2009, eq. 3.1, with the fluid's spacing (beta = 1) and mass in walls]
 ///
-///   strength  K [m^2/s^2], about g times the depth;   h  half the support [m]
+///   strength  K [m^2/s^2], about g times the depth;   h  half the support [m];  the sum in m/s^2
 template <int D> struct Monaghan2009Repulsion {
   Real strength, h;
   template <class R> using At = Nothing<R>;

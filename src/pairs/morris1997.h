@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Modeling low Reynolds number incompressible flows using SPH [Morris, Fox, Zhu 1997].
+/// Pair terms of the viscosity of Modeling low Reynolds number incompressible flows using SPH
+/// [Morris, Fox, Zhu 1997].
 #pragma once
 #include "pairs/per_liquid.h"
 
@@ -8,9 +9,11 @@ inline namespace FRESHET_ISA {
 
 /// f_i = sum_j 2 m mu_ij/(rho_i rho_j) (x_ij · grad W_ij)/(|x_ij|^2 + eps) v_ij  [eq. 22]
 ///
-/// mu lap v/rho, whatever the divergence. Conserves momentum, not its moment.
+/// It approximates mu lap v/rho for any divergence of v. It conserves momentum, but not angular
+/// momentum.
 ///
-///   m [kg], mu [Pa s], eps_h2 1e-4 h^2 [m^2];  reads rho, v
+///   m [kg], mu [Pa s], eps_h2 1e-4 h^2 [m^2] with h half the support
+///   reads rho [kg/m^D] (> 0), v [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Morris1997Viscosity {
   Kernel<D> W;
   Real m, eps_h2;
@@ -33,7 +36,13 @@ template <int D, template <int> class Kernel> struct Morris1997Viscosity {
 template <int D, template <int> class K, class... A>
 Morris1997Viscosity(K<D>, A...) -> Morris1997Viscosity<D, K>;
 
-/// The same of samples of walls at rest, as heavy as psi, as dense and as viscous as the particle.
+/// f_i += sum_k 2 psi_k friction_k mu_i/rho_i^2 (x_ik · grad W_ik)/(|x_ik|^2 + eps) v_i
+///
+/// The viscosity of Morris 1997 at boundary particles at rest, of mass psi_k, density rho_i and
+/// viscosity mu_i.
+///
+///   psi [kg], friction 1 for no slip, 0 for free slip, mu [Pa s], eps_h2 1e-4 h^2 [m^2]
+///   reads rho [kg/m^D] (> 0), v [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Morris1997Akinci {
   Kernel<D> W;
   Real eps_h2;
@@ -58,8 +67,14 @@ template <int D, template <int> class Kernel> struct Morris1997Akinci {
 template <int D, template <int> class K, class... A>
 Morris1997Akinci(K<D>, A...) -> Morris1997Akinci<D, K>;
 
-/// The same of the layers of walls, of a particle's mass and rest density, whose velocity is
-/// extrapolated from the fluid, as the paper's own walls have it [eqs. 20 and 21; Adami 2012].
+/// f_i += sum_k 2 m friction_k mu_i/(rho_i rho0) (x_ik · grad W_ik)/(|x_ik|^2 + eps) v_ik
+///
+/// The viscosity of Morris 1997 at the layers of walls, of mass m, density rho0 and viscosity mu_i.
+/// Their velocity v_wall is extrapolated from the fluid, as in the paper [eqs. 20 and 21; Adami
+/// 2012].
+///
+///   m [kg], rho0 [kg/m^D], friction 1 for no slip, 0 for free slip, mu [Pa s]
+///   eps_h2 1e-4 h^2 [m^2];  reads rho [kg/m^D] (> 0), v, v_wall [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Morris1997Adami {
   Kernel<D> W;
   Real m, rho0, eps_h2;

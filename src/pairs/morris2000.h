@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-/// Surface tension by the curvature of a surface's normals [Morris 2000], of a liquid beside
-/// nothing.
-///
-/// Every particle counts as the volume m/rho0, so that V = m/rho0 is one number.
+/// Pair terms of surface tension by the curvature of surface normals [Morris 2000], for a single
+/// phase with a free surface. Every particle has the volume V = m/rho0.
 #pragma once
 #include "core/fluid_particles.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The gradient of the colour, which is 1 in the liquid and 0 outside, and that of the walls'.
+/// The gradients of the colour function (1 in the liquid, 0 outside) and of the walls' colour.
 template <int D, class R> struct Morris2000Normals {
   Vec<D, R> fluid{};  ///< sum_j V grad W_ij, towards the liquid  [1/m]
   Vec<D, R> wall{};   ///< sum_k V_k grad W_ik, towards the wall  [1/m]
@@ -20,7 +18,9 @@ template <int D, class R> struct Morris2000Normals {
   }
 };
 
-/// The sum over particles of the fluid  [eq. 12, nothing being outside]
+/// Morris2000Normals::fluid over fluid particles  [eq. 12 without a second phase]
+///
+///   V = m/rho0 [m^D];  the sum in 1/m
 template <int D, template <int> class Kernel> struct Morris2000Normal {
   Kernel<D> W;
   Real V;
@@ -36,7 +36,10 @@ template <int D, template <int> class Kernel> struct Morris2000Normal {
 template <int D, template <int> class K, class... A>
 Morris2000Normal(K<D>, A...) -> Morris2000Normal<D, K>;
 
-/// The sum over samples of walls, of the volumes mass_k/rho0, or V where `mass` has no memory.
+/// Morris2000Normals::wall over boundary particles of the volumes V_k = mass_k/rho0, or V without
+/// memory for `mass`.
+///
+///   V [m^D], rho0 [kg/m^D], mass [kg];  the sum in 1/m
 template <int D, template <int> class Kernel> struct Morris2000WallNormal {
   Kernel<D> W;
   Real V, rho0;
@@ -54,7 +57,7 @@ template <int D, template <int> class Kernel> struct Morris2000WallNormal {
 template <int D, template <int> class K, class... A>
 Morris2000WallNormal(K<D>, A...) -> Morris2000WallNormal<D, K>;
 
-/// sum_j V n_j W_ij: the same, smoother  [as eq. 11 does with the colour]
+/// sum_j V n_j W_ij: smoothed normals [1/m]  [as eq. 11 smooths the colour]
 template <int D, template <int> class Kernel> struct Morris2000Smoothed {
   Kernel<D> W;
   Real V;
@@ -71,9 +74,9 @@ template <int D, template <int> class Kernel> struct Morris2000Smoothed {
 template <int D, template <int> class K, class... A>
 Morris2000Smoothed(K<D>, A...) -> Morris2000Smoothed<D, K>;
 
-/// How unit normals turn along the surface, and how much of the surface there is to see.
+/// The change of unit normals along the surface, and the sum that normalises it.
 template <int D, class R> struct Morris2000Turn {
-  R turn{};    ///< sum_j V |n_j|^2 (û_j - û_i) · g,  g what of grad W_ij is along the surface
+  R turn{};    ///< sum_j V |n_j|^2 (û_j - û_i) · g,  g the tangential part of grad W_ij
   R spread{};  ///< -sum_j V |n_j|^2 x_ij · g
   FRESHET_HD Morris2000Turn& operator+=(const Morris2000Turn& o) {
     turn += o.turn;
@@ -82,11 +85,11 @@ template <int D, class R> struct Morris2000Turn {
   }
 };
 
-/// The sums of the curvature  [eqs. 20 to 24]: of directions û_j = n_j/|n_j| that can be relied on,
-/// |n_j| >= least, the more the longer n_j is; corrected by what a linear field would give along
-/// the surface, where half of the neighbours are missing across it.
+/// The sums of the curvature  [eqs. 20 to 24]. Only reliable directions û_j = n_j/|n_j| count,
+/// those with |n_j| > least; the weight is |n_j|^2. The curvature is proportional to turn/spread:
+/// spread is the value for a linear field, which corrects for the missing neighbours outside.
 ///
-///   n the smoothed normals;  least [1/m], above 0
+///   n  smoothed normals [1/m];  least [1/m], > 0;  V [m^D]
 template <int D, template <int> class Kernel> struct Morris2000Curvature {
   Kernel<D> W;
   Real V, least;

@@ -20,8 +20,8 @@ template <int D, class R> struct ForceDensities {
 /// f_i^pressure  = -sum_j m (p_i + p_j)/(2 rho_j) grad W_spiky(x_ij)      [Mueller 2003, eq. 10]
 /// f_i^viscosity = mu sum_j m (v_j - v_i)/rho_j lap W_viscosity(x_ij)     [Mueller 2003, eq. 14]
 ///
-/// Force densities: an acceleration only after division by rho_i (eq. 8). With it the force on i
-/// from j, m f_ij/rho_i, is equal and opposite to that on j from i, so momentum is conserved.
+/// The sums are force densities; divided by rho_i they are accelerations (eq. 8). The force on i
+/// from j, m f_ij/rho_i, is then equal and opposite to that on j from i, so momentum is conserved.
 ///
 ///   m [kg], mu [Pa s];  reads p [Pa], rho [kg/m^D] (> 0), v [m/s]
 template <int D> struct Mueller2003Forces {

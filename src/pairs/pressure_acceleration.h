@@ -8,7 +8,7 @@ inline namespace FRESHET_ISA {
 /// a_i = -sum_j m (k_i + k_j) grad W_ij,  k = p/rho^2
 /// [Solenthaler and Pajarola 2009, eq. 6; Ihmsen 2014, eq. 2; Bender and Koschier 2017, eq. 6]
 ///
-/// The transpose of the density's rate, so that the rate of what it pushes is a symmetric form.
+/// The sum is the transpose of DensityRate, so the density rate as a function of k is symmetric.
 ///
 ///   m [kg], k [Pa m^(2D)/kg^2];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct PressureAcceleration {
@@ -27,7 +27,10 @@ template <int D, template <int> class Kernel> struct PressureAcceleration {
 template <int D, template <int> class K, class... A>
 PressureAcceleration(K<D>, A...) -> PressureAcceleration<D, K>;
 
-/// a_i += -sum_k psi_k k_i grad W_ik: a wall mirrors the pressure of the particle  [Akinci 2012]
+/// a_i += -sum_s psi_s k_i grad W_is over boundary particles s, which mirror the pressure of i
+/// [Akinci 2012]
+///
+///   psi [kg], k [Pa m^(2D)/kg^2];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Akinci2012PressureAcceleration {
   Kernel<D> W;
   Field<Real> k, psi;

@@ -5,10 +5,11 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The acceleration in what a term sums.
+/// The acceleration in the sum of a pair term [m/s^2].
 template <int D, class R> FRESHET_HD Vec<D, R> acceleration(const Vec<D, R>& sum) { return sum; }
 
-/// The other side of a wall's term: what particles i do to sample k, per mass of a particle.
+/// The reaction of a wall's pair term: the force of the fluid particles i on boundary particle k,
+/// over the mass of a fluid particle [m/s^2].
 template <int D, class TermT> struct Reaction {
   TermT term;
   template <class R> using At = typename TermT::template Neighbor<R>;
@@ -22,7 +23,7 @@ template <int D, class TermT> struct Reaction {
   }
 };
 
-/// Keeps such a sum [m/s^2].
+/// A finish that stores the sum of a Reaction [m/s^2].
 template <int D> struct StoreForce {
   Field<Vec<D>> force;
   FRESHET_HD void operator()(int k, const Vec<D>& sum) const { force[k] = sum; }

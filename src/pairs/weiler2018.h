@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-/// A physically consistent implicit viscosity solver for SPH fluids [Weiler, Koschier, Brand,
-/// Bender 2018]: the blocks on the diagonal of its equations. The product with their matrix is
-/// Monaghan2005Viscosity of what is multiplied.
+/// The diagonal blocks of the equations of a physically consistent implicit viscosity solver for
+/// SPH fluids [Weiler, Koschier, Brand, Bender 2018]. Monaghan2005Viscosity computes the product
+/// with the full matrix.
 #pragma once
 #include "pairs/per_liquid.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// A symmetric D x D matrix: its diagonal, and xy (2D), or yz, xz, xy.
+/// A symmetric D x D matrix: its diagonal, and the elements xy (2D) or yz, xz, xy (3D).
 template <int D, class R> struct Symmetric;
 template <class R> struct Symmetric<2, R> {
   Vec<2, R> diagonal{};
@@ -36,7 +36,7 @@ template <class R> struct Symmetric<3, R> {
   }
 };
 
-/// s a a^T
+/// The matrix s a a^T.
 template <class R> FRESHET_HD Symmetric<2, R> outer(R s, Vec<2, R> a) {
   return {{s * a.x * a.x, s * a.y * a.y}, s * a.x * a.y};
 }
@@ -45,7 +45,7 @@ template <class R> FRESHET_HD Symmetric<3, R> outer(R s, Vec<3, R> a) {
           {s * a.y * a.z, s * a.x * a.z, s * a.x * a.y}};
 }
 
-/// (1 + s M)^-1 of an M whose eigenvalues are not negative.
+/// (1 + s M)^-1 for a positive semidefinite M and s >= 0.
 inline Symmetric<2, Real> inverse_of_one_and(Real s, const Symmetric<2, Real>& M) {
   const Real a = 1 + s * M.diagonal.x, c = 1 + s * M.diagonal.y, b = s * M.off;
   const Real det = a * c - b * b;
@@ -60,12 +60,14 @@ inline Symmetric<3, Real> inverse_of_one_and(Real s, const Symmetric<3, Real>& M
   return {{A / det, B / det, C / det}, {YZ / det, XZ / det, XY / det}};
 }
 
-/// The slope of a gradient that points along x_ij: grad W = slope x_ij.
+/// The factor of a gradient along x_ij: grad W = slope x_ij.
 template <int D, class R> FRESHET_HD R slope_of(const Pair<D, R>& ij, Vec<D, R> gradient) {
   return dot(gradient, ij.x) / max(ij.r2, R(Real(1e-30f)));
 }
 
 /// M_i = -sum_j 2 m mu_ij/(rho_i rho_j) (D + 2) grad W_ij x_ij^T/(|x_ij|^2 + eps)  [eq. 15]
+///
+///   m [kg], mu [Pa s], eps_h2 1e-4 h^2 [m^2];  reads rho [kg/m^D] (> 0);  the sum in 1/s
 template <int D, template <int> class Kernel> struct Weiler2018Block {
   Kernel<D> W;
   Real m, eps_h2;
@@ -85,7 +87,11 @@ template <int D, template <int> class Kernel> struct Weiler2018Block {
 template <int D, template <int> class K, class... A>
 Weiler2018Block(K<D>, A...) -> Weiler2018Block<D, K>;
 
-/// The same of samples of walls: see Monaghan2005Akinci.
+/// M_i += -sum_k 2 psi_k friction_k mu_i/rho_i^2 (D + 2) grad W_ik x_ik^T/(|x_ik|^2 + eps)
+///
+/// The block of Monaghan2005Akinci: boundary particles at rest.
+///
+///   psi [kg], friction 1 for no slip, 0 for free slip, mu [Pa s], eps_h2 1e-4 h^2 [m^2]
 template <int D, template <int> class Kernel> struct Weiler2018AkinciBlock {
   Kernel<D> W;
   Real eps_h2;
@@ -105,7 +111,11 @@ template <int D, template <int> class Kernel> struct Weiler2018AkinciBlock {
 template <int D, template <int> class K, class... A>
 Weiler2018AkinciBlock(K<D>, A...) -> Weiler2018AkinciBlock<D, K>;
 
-/// The same of the layers of walls, at rest: see Monaghan2005Adami.
+/// M_i += -sum_k 2 m friction_k mu_i/(rho_i rho0) (D + 2) grad W_ik x_ik^T/(|x_ik|^2 + eps)
+///
+/// The block of Monaghan2005Adami: layers of walls at rest.
+///
+///   m [kg], rho0 [kg/m^D], friction 1 for no slip, 0 for free slip, mu [Pa s]
 template <int D, template <int> class Kernel> struct Weiler2018AdamiBlock {
   Kernel<D> W;
   Real m, rho0, eps_h2;

@@ -9,7 +9,7 @@
 namespace freshet {
 namespace {
 
-/// The round step that divides a range into at most `most` parts.
+/// The smallest round step that divides a range into at most `most` parts.
 double round_step(double span, int most) {
   const double least = span / most, power = std::pow(10, std::floor(std::log10(least)));
   for (const double digit : {1, 2, 5})
@@ -17,7 +17,7 @@ double round_step(double span, int most) {
   return 10 * power;
 }
 
-/// The power of ten that numbers up to `largest` are told in.
+/// The power of ten by which the labels of numbers up to `largest` are divided.
 int exponent_of(double largest) {
   const int power = int(std::floor(std::log10(largest) + 1e-9));
   return power >= 4 || power <= -3 ? 3 * int(std::floor(power / 3.0)) : 0;
@@ -44,7 +44,7 @@ Range range_of(const std::vector<double>& numbers) {
   if (r.min > 0 && r.min < 0.4 * r.max) r.min = 0;
   if (r.max < 0 && r.max > 0.4 * r.min) r.max = 0;
   const double size = std::max(std::abs(r.min), std::abs(r.max));
-  if (size < 1e-300) return {};          // zeros
+  if (size < 1e-300) return {};          // all numbers are zero
   if (r.span() > 1e-6 * size) return r;  // ticks of a smaller range would differ in no digit
   return {r.min - 0.1 * size, r.max + 0.1 * size};
 }

@@ -12,27 +12,27 @@ struct Range {
   double span() const { return max - min; }
 };
 
-/// What an axis shows of these numbers: all that are finite, with zero where it is near; a range
-/// that is not empty even for equal numbers or none.
+/// The range of an axis for these numbers. It covers all finite numbers, and zero if that is near.
+/// It is never empty, also for equal numbers or none.
 Range range_of(const std::vector<double>& numbers);
-/// The range and a little more at both ends, but not beyond zero.
+/// The range, widened at both ends, but not across zero.
 Range with_margin(Range range);
 
-/// Round numbers within a range, and how they are written: in thousands, thousandths and the like
-/// where they are large or small.
+/// Round numbers within a range and their labels. Large or small numbers have a common factor.
 struct Ticks {
   std::vector<double> values;
   std::vector<std::string> labels;
-  std::string factor;  ///< "10³", which the labels are to be multiplied by; empty for 1
+  std::string factor;  ///< factor of all labels, for example "10³"; empty for 1
 };
-/// About so many ticks, 1, 2 or 5 times a power of ten apart.
+/// About `about` ticks at a distance of 1, 2 or 5 times a power of ten.
 Ticks ticks_of(Range range, int about);
 
-/// A label whose unit is told that power of ten larger or smaller: "force [10³ N]".
+/// A label with the factor before its unit: "force [10³ N]".
 std::string with_factor(std::string label, const std::string& factor);
 
-/// Of very many points of a line, x and y in points, those that a reader could see: of each half
-/// point of width the first, the least, the greatest and the last; each that is no finite number.
+/// The indices of the visible points of a line, x and y in points (1/72 inch). They are the first,
+/// the lowest, the highest and the last in each half point of width, and all points that are not
+/// finite.
 std::vector<std::size_t> places_seen(const std::vector<double>& x, const std::vector<double>& y);
 
 }  // namespace freshet

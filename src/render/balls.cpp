@@ -11,21 +11,21 @@
 namespace freshet {
 namespace {
 
-constexpr int band_rows = 8;           // pixels; a band stays in a cache
-constexpr float least_radius = 0.75f;  // samples: a ball far away is still seen
+constexpr int band_rows = 8;           // pixels; a band fits into a cache
+constexpr float least_radius = 0.75f;  // samples; a distant ball stays visible
 constexpr Color point_color{150, 148, 144};
 constexpr float gloss = 0.22f;
 constexpr double ball_girth =
-    1.15;  // spacings that a ball is wide: it closes the gaps to its neighbours
+    1.15;  // diameter of a ball in spacings, which closes the gaps to its neighbours
 
-/// The balls that the picture shows, in the order of their particles.
+/// The visible balls, in the order of their particles.
 struct Balls {
   std::vector<Ball> all;
   std::vector<Color> colors;
 
   void add(const View& view, Point p, float size, Color color, double width, double height) {
     const auto s = view(p);
-    if (!(s.z > view.nearest)) return;  // behind the eye, or nowhere
+    if (!(s.z > view.nearest)) return;  // behind the eye, or NaN
     const float radius = std::max(least_radius, float(view.focal * double(size) / s.z));
     const bool inside = s.x > -double(radius) && s.x < width + double(radius) &&
                         s.y > -double(radius) && s.y < height + double(radius);
@@ -35,7 +35,7 @@ struct Balls {
   }
 };
 
-/// The balls of the fluid, then those of walls that are points.
+/// The balls of the fluid, then those of walls from point files.
 Balls balls_of(const Scene& s, const Frame& fluid, const Coloring& colors, const View& view) {
   Balls balls;
   balls.all.reserve(fluid.size());
@@ -56,7 +56,7 @@ Balls balls_of(const Scene& s, const Frame& fluid, const Coloring& colors, const
   return balls;
 }
 
-/// The balls that each band of rows may show, in order.
+/// The balls that each band of rows may contain, in order.
 class Bands {
  public:
   Bands(const std::vector<Ball>& balls, int samples_high)
@@ -89,7 +89,7 @@ class Bands {
   std::vector<std::uint32_t> list_;
 };
 
-/// Light and a highlight on a ball, by where on it the sample lies.
+/// Shading of a ball: light and a highlight, by the place of the sample on the ball.
 class Shader {
  public:
   explicit Shader(const View& view)
@@ -101,7 +101,7 @@ class Shader {
     const float u = (float(x) + 0.5f - b.x) / b.radius, v = (b.y - float(y) - 0.5f) / b.radius;
     const Vec<3, float> n{u, v, std::sqrt(std::max(0.0f, 1 - u * u - v * v))};
     float shine = std::max(0.0f, dot(n, half_));
-    for (int k = 0; k < 5; ++k) shine *= shine;  // the 32nd power
+    for (int k = 0; k < 5; ++k) shine *= shine;  // 32nd power
     const float light = 1.1f * brightness(dot(n, light_), dot(n, up_)), white = 255 * gloss * shine;
     const auto part = [&](std::uint8_t p) {
       return std::uint8_t(std::min(255.0f, float(p) * light + white));
@@ -110,14 +110,14 @@ class Shader {
   }
 
  private:
-  /// To the right, up and towards the eye.
+  /// The components of d to the right, up and towards the eye.
   static Vec<3, float> in_picture(const View& view, Point d) {
     return {float(dot(d, view.right)), float(dot(d, view.up)), -float(dot(d, view.forward))};
   }
   Vec<3, float> light_, up_, half_;
 };
 
-/// The mean of a pixel's samples, a row of pixels at a time.
+/// Computes each pixel as the mean of its samples, row by row.
 void resolve(const Band& band, const Balls& balls, const Shader& shade, Image& image) {
   constexpr int n = oversampling * oversampling;
   for (int py = band.top / oversampling; py < (band.top + band.rows) / oversampling; ++py)
@@ -137,7 +137,7 @@ void resolve(const Band& band, const Balls& balls, const Shader& shade, Image& i
     }
 }
 
-/// f(k) for k < n, each once, on so many threads.
+/// Calls f(k) once for each k < n, on `threads` threads.
 template <class F> void share_out(int n, int threads, F f) {
   std::atomic<int> next{0};
   const auto work = [&] {

@@ -6,9 +6,8 @@
 
 namespace freshet {
 
-/// The picture of a 3D fluid as the scene's camera sees it: lit balls, a little wider than the
-/// spacing, in perspective, among its walls, with a soft shadow on the floor. The same bits with
-/// any number of threads.
+/// The picture of a 3D fluid from the scene's camera: lit balls of 1.15 spacings in perspective,
+/// the walls, and a soft shadow on the floor. It has the same bits with any number of threads.
 Image draw_balls(const Scene& scene, const Frame& fluid, const Coloring& colors, int threads = 1);
 
 }  // namespace freshet

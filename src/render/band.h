@@ -10,19 +10,19 @@
 
 namespace freshet {
 
-/// Samples along a pixel's side: edges are smooth because a pixel is the mean of its samples.
+/// Samples along a pixel's side. A pixel is the mean of its samples, which smooths edges.
 inline constexpr int oversampling = 2;
 
-/// A ball in a picture: centre and radius in samples, distance from the eye and radius in metres.
+/// A ball in a picture: centre and radius in samples, distance from the eye and radius [m].
 struct Ball {
   float x, y, radius;
   float z, size;
 };
 
-/// What is nearest to the eye at each sample of some rows of a picture.
+/// The depth buffer of some rows of a picture: the nearest ball or surface at each sample.
 class Band {
  public:
-  /// Either a ball, by its number, or a colour with `painted` set.
+  /// A sample is the index of a ball, or a colour with the bit `painted`.
   static constexpr std::uint32_t painted = 1u << 31;
 
   /// Row 0 of the band is row `top` of the picture, both in samples.
@@ -50,7 +50,7 @@ class Band {
     what[k] = code(c);
   }
 
-  /// Of two balls equally near, the first one stays.
+  /// Draws a ball. Of two balls at equal depth, the first one stays.
   void draw(const Ball& b, std::uint32_t number) {
     const float r2 = b.radius * b.radius, bulge = b.size / b.radius;
     const int first = std::max(top, int(b.y - b.radius)),
@@ -67,7 +67,7 @@ class Band {
         const float dx = float(x) + 0.5f - b.x, rest = left2 - dx * dx;
         const float near = b.z - bulge * std::sqrt(rest > 0 ? rest : 0);
         const bool nearer = near < z[x];
-        z[x] = nearer ? near : z[x];  // written either way: lanes have no branches
+        z[x] = nearer ? near : z[x];  // written in both cases: the loop vectorises without branches
         seen[x] = nearer ? number : seen[x];
       }
     }

@@ -9,12 +9,12 @@
 
 namespace freshet {
 
-/// Free bodies are of wood, others of iron.
+/// The colour of a body: wood for free bodies, iron for others.
 inline Color body_color(const Scene& scene, std::size_t k) {
   return scene.body[k].motion == BodyMotion::free ? Color{214, 158, 96} : Color{150, 154, 166};
 }
 
-/// The surfaces of a scene's bodies in 3D where a frame has them.
+/// The surfaces of a 3D scene's bodies, placed by their states in a frame.
 std::vector<TriangleMesh> posed_bodies(const Scene& scene, const Frame& frame);
 
 }  // namespace freshet

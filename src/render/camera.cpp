@@ -8,8 +8,8 @@ namespace freshet {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double view_margin = 0.06;                   // of the picture
-constexpr double from_right = 0.5, from_above = 0.42;  // [radians], where no position is given
+constexpr double view_margin = 0.06;                   // fraction of the picture
+constexpr double from_right = 0.5, from_above = 0.42;  // default direction of the eye [rad]
 
 Point middle_of(const Scene& s) { return 0.5 * (point_of(s.domain.min) + point_of(s.domain.max)); }
 
@@ -19,13 +19,13 @@ template <class F> void each_corner(const Scene& s, F f) {
     f({k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z});
 }
 
-/// About the vertical, to the right of who looks at the origin.
+/// Rotates p about the vertical, to the right for a viewer who looks at the origin.
 Point turned(Point p, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {p.x * c + p.z * s, p.y, p.z * c - p.x * s};
 }
 
-/// How far from `target` an eye in the direction `towards` sees all of the domain.
+/// The distance from `target` at which an eye in the direction `towards` sees the whole domain [m].
 double distance_for(const Scene& s, Point target, Point towards, double field_of_view) {
   const View view({target + towards, target, field_of_view}, 1, 1);
   const double up = (1 - 2 * view_margin) * std::tan(field_of_view * degree / 2);
@@ -40,7 +40,8 @@ double distance_for(const Scene& s, Point target, Point towards, double field_of
   return distance;
 }
 
-/// One that orbits stands where it sees everything from all around.
+/// The default position of a camera. That of an orbiting camera sees the whole domain from every
+/// angle.
 Point place_for(const Scene& s, const Scene::Camera& c, Point target) {
   const Point front{0, std::sin(from_above), std::cos(from_above)};
   const int steps = c.orbit == 0 ? 1 : 36;
@@ -52,10 +53,10 @@ Point place_for(const Scene& s, const Scene::Camera& c, Point target) {
   return target + distance * turned(front, from_right);
 }
 
-/// The middle of what the corners of the domain take up in the picture, as a target.
+/// The target that centres the corners of the domain in the picture.
 Point centered(const Scene& s, const Scene::Camera& c) {
   Point target = middle_of(s);
-  for (int round = 0; round < 6; ++round) {  // each brings it nearer
+  for (int round = 0; round < 6; ++round) {  // a fixed-point iteration
     const View view({place_for(s, c, target), target, c.field_of_view}, 2, 2);
     double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
     each_corner(s, [&](Point corner) {
@@ -79,8 +80,8 @@ Pose pose_of(const Scene& s, const Scene::Camera& c) {
           c.field_of_view};
 }
 
-/// A smooth curve through the values of key frames, at rest at both ends: cubic, its slope at a key
-/// frame that between its neighbours.
+/// A smooth curve through the values of key frames: piecewise cubic. The slope at a key frame is
+/// that between its neighbours; it is zero at both ends.
 class Path {
  public:
   Path(const Scene& s, double time) : cameras_(s.camera) {
@@ -134,7 +135,7 @@ View::View(const Pose& pose, double width, double height)
   const double distance = norm(line);
   forward = line / distance;
   Point side = cross(forward, {0, 1, 0});
-  if (norm(side) < 1e-6) side = {1, 0, 0};  // straight down or up
+  if (norm(side) < 1e-6) side = {1, 0, 0};  // the camera looks straight down or up
   right = side / norm(side);
   up = cross(right, forward);
   focal = height / 2 / std::tan(pose.field_of_view * degree / 2);

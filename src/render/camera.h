@@ -11,40 +11,42 @@ using Point = Vec<3, double>;
 
 inline Point point_of(const Vector& v) { return {v[0], v[1], v[2]}; }
 
-/// Where the camera of a scene in 3D is at one time.
+/// The position and direction of the camera of a 3D scene at one time.
 struct Pose {
   Point eye, target;
   double field_of_view;  ///< [degrees]
 };
 
-/// At `time` [s]: the one camera, turned as it orbits, or between its key frames. One without a
-/// place stands in front, to the right and above, where all of the domain is seen.
+/// The pose at `time` [s]: that of a single camera, rotated by its orbit, or interpolated between
+/// key frames. A camera without a position is placed in front, to the right and above, where it
+/// sees the whole domain.
 Pose pose_at(const Scene& scene, double time);
 
-/// Points of the world in a picture: a perspective with y up.
+/// The perspective projection of points to a picture, with y up.
 class View {
  public:
-  /// A picture of this size [px].
+  /// width, height: size of the picture [px].
   View(const Pose& pose, double width, double height);
 
   struct Seen {
     double x, y;  ///< [px], y down from the top
-    double z;     ///< distance along the line of sight [m]; not in the picture if below `nearest`
+    double z;     ///< distance along the line of sight [m]; not visible if below `nearest`
   };
   Seen operator()(Point p) const {
     const Point q = p - eye;
     const double z = dot(q, forward), scale = focal / z;
     return {middle_x + dot(q, right) * scale, middle_y - dot(q, up) * scale, z};
   }
-  /// From the eye through a place in the picture, 1 along the line of sight.
+  /// The ray from the eye through a place in the picture [px]; its component along the line of
+  /// sight is 1.
   Point ray(double x, double y) const {
     return forward + (x - middle_x) / focal * right - (y - middle_y) / focal * up;
   }
 
   Point eye, right, up, forward;  ///< unit vectors
-  double focal;                   ///< pixels that a metre takes a metre away
+  double focal;                   ///< pixels per metre at a distance of one metre
   double middle_x, middle_y;      ///< [px]
-  double nearest;                 ///< [m]
+  double nearest;                 ///< minimum distance of visible points [m]
 };
 
 }  // namespace freshet

@@ -18,13 +18,13 @@ namespace {
 
 using Style = Series::Style;
 
-// All lengths are points, a 72nd of an inch.
+// All lengths are in points (1/72 inch).
 constexpr double width = 720, chart_margin = 12, gap = 12, least_height = 118;
 constexpr double line_height = 15, title_height = 26, numbers_height = 20, label_height = 16;
 constexpr double font_size = 10, sample_length = 22, tick_length = 4, most_of_legend = 170;
 constexpr double pixels_a_point = 2;
 
-/// Colours that people tell apart who see few [Okabe, Ito 2008].
+/// Colours that colour-blind readers can distinguish [Okabe, Ito 2008].
 constexpr double colors[][3] = {{0.000, 0.447, 0.698}, {0.835, 0.369, 0.000}, {0.000, 0.620, 0.451},
                                 {0.800, 0.475, 0.655}, {0.902, 0.624, 0.000}, {0.337, 0.706, 0.914},
                                 {0.000, 0.000, 0.000}, {0.550, 0.550, 0.550}};
@@ -40,19 +40,19 @@ void require(cairo_status_t status) {
               std::string("cannot draw the chart: ") + cairo_status_to_string(status) + remedy);
 }
 
-/// The height of a panel's axes: that of its legend at least.
+/// The height of a panel's axes, at least that of its legend.
 double axes_height(const Panel& panel) {
   const auto names = std::count_if(panel.series.begin(), panel.series.end(),
                                    [](const Series& s) { return !s.name.empty(); });
   return std::max(least_height, line_height * double(names) + 4);
 }
 
-/// Whether numbers and a label stand below the k-th panel.
+/// Whether the k-th panel has numbers and a label below it.
 bool has_numbers(const Chart& chart, std::size_t k) {
   return !chart.shared_x || k + 1 == chart.panels.size();
 }
 
-/// The top of the first panel.
+/// The y coordinate of the first panel's top.
 double head_height(const Chart& chart) {
   return chart_margin + (chart.title.empty() ? 0 : title_height) +
          (chart.styles.empty() ? 0 : line_height + 4);
@@ -66,7 +66,7 @@ double height_of(const Chart& chart) {
   return height;
 }
 
-/// A chart on its way to a surface of any kind.
+/// Draws a chart on any kind of Cairo surface.
 class Drawing {
  public:
   Drawing(cairo_t* c, const Chart& chart) : c_(c), chart_(chart) {
@@ -105,8 +105,8 @@ class Drawing {
   cairo_t* c_;
   const Chart& chart_;
   Font plain_ = load_font(false), bold_ = load_font(true);
-  double left_ = 0, right_ = width;  // of all axes
-  Range shared_x_, x_, y_;           // of all panels; of the present one
+  double left_ = 0, right_ = width;  // ends of the x axes of all panels
+  Range shared_x_, x_, y_;           // shared_x_: of all panels; x_, y_: of the current panel
 };
 
 void Drawing::font(bool bold) {
@@ -120,7 +120,7 @@ double Drawing::text_width(const std::string& words) const {
   return extents.x_advance;
 }
 
-/// The text, cut to a width.
+/// The text, cut to the width `most`.
 std::string Drawing::fitted(std::string words, double most) const {
   if (text_width(words) <= most) return words;
   const auto continues = [&] { return (static_cast<unsigned char>(words.back()) & 0xC0) == 0x80; };
@@ -131,14 +131,14 @@ std::string Drawing::fitted(std::string words, double most) const {
   return words + "…";
 }
 
-/// Words on a baseline at y.
+/// Draws text on a baseline at y.
 void Drawing::text(double x, double y, const std::string& words, Align align) {
   const double share = align == Align::left ? 0 : align == Align::center ? 0.5 : 1;
   cairo_move_to(c_, x - share * text_width(words), y);
   cairo_show_text(c_, words.c_str());
 }
 
-/// Words from below to above, their middle at (x, y).
+/// Draws text upwards, centred at (x, y).
 void Drawing::upright(double x, double y, const std::string& words, double most) {
   cairo_save(c_);
   cairo_translate(c_, x, y);
@@ -198,7 +198,7 @@ void Drawing::head() {
   }
 }
 
-/// Room for the numbers on the left and the legend on the right.
+/// Measures the room for the numbers on the left and the legend on the right.
 void Drawing::measure() {
   double numbers = 0, names = 0;
   for (const Panel& p : chart_.panels) {
@@ -338,7 +338,7 @@ void Drawing::line(const std::vector<double>& x, const std::vector<double>& y) {
   for (const std::size_t k : places_seen(x, y)) {
     const bool finite = std::isfinite(x[k]) && std::isfinite(y[k]);
     if (finite && !drawing) cairo_move_to(c_, x[k], y[k]);
-    if (finite) cairo_line_to(c_, x[k], y[k]);  // a point alone is a dot
+    if (finite) cairo_line_to(c_, x[k], y[k]);  // draws a single point as a dot
     drawing = finite;
   }
   cairo_stroke(c_);
@@ -369,7 +369,7 @@ std::string chart_svg(const Chart& chart) {
   draw_on(surface.get(), chart, 1);
   cairo_surface_finish(surface.get());
   require(cairo_surface_status(surface.get()));
-  // Cairo numbers the surfaces of a process
+  // Cairo numbers the surfaces of a process, which would make the bytes depend on earlier charts
   const std::string_view name = " id=\"surface";
   if (const auto at = bytes.find(name); at != std::string::npos)
     bytes.erase(at, bytes.find('"', at + name.size()) + 1 - at);

@@ -6,17 +6,17 @@
 
 namespace freshet {
 
-/// Points (x, y) of a panel, joined to a line or marked with small circles. What is no finite
-/// number breaks the line.
+/// Points (x, y) of a panel, joined to a line or marked with small circles. A point that is not
+/// finite breaks the line.
 struct Series {
   enum class Style { solid, dashed, dotted, dash_dot, points };
-  std::string name;  ///< in the legend; empty: not there
+  std::string name;  ///< in the legend; empty: no legend entry
   std::vector<double> x, y;
   Style style = Style::solid;
-  int color = -1;  ///< which of eight; -1: its place in the panel
+  int color = -1;  ///< index of one of eight colours; -1: by its place in the panel
 };
 
-/// A pair of axes. Labels say quantity and unit, as in "speed [m/s]".
+/// A pair of axes. Labels have quantity and unit, as in "speed [m/s]".
 struct Panel {
   std::string title, x_label, y_label;  ///< an empty title takes no room
   std::vector<Series> series;
@@ -25,14 +25,14 @@ struct Panel {
 /// Panels, one below the other.
 struct Chart {
   std::string title;
-  /// What each style of line stands for, told below the title.
+  /// The meaning of each line style, drawn below the title.
   std::vector<std::pair<Series::Style, std::string>> styles;
   std::vector<Panel> panels;
-  bool shared_x = true;  ///< one range of x for all, its numbers below the last panel only
+  bool shared_x = true;  ///< one range of x for all panels, with numbers below the last one only
 };
 
-/// The bytes of an SVG file, and of a PNG file of two pixels a point: the same drawing, the same
-/// bytes for the same chart. Words are UTF-8. Throws Error (kind run).
+/// The bytes of an SVG file, and of a PNG file with two pixels per point. Equal charts give equal
+/// bytes. Text is UTF-8. Throws Error (kind run) if the drawing fails.
 std::string chart_svg(const Chart& chart);
 std::string chart_png(const Chart& chart);
 

@@ -12,10 +12,11 @@
 namespace freshet {
 namespace {
 
-constexpr float dimmest_full_speed = 0.1f;  // m/s that at least stand for red
+constexpr float dimmest_full_speed = 0.1f;  // minimum speed at the red end of the map [m/s]
 
-// Colours at equal distances. water is ours; viridis and inferno by Smith and van der Walt (CC0);
-// coolwarm from the table of Moreland, "Diverging Color Maps for Scientific Visualization" (2009).
+// Colours at equal distances. Sources: water is our own; viridis and inferno are by Smith and van
+// der Walt (CC0); coolwarm is from the table of Moreland, "Diverging Color Maps for Scientific
+// Visualization" (2009).
 constexpr Color water[] = {
     {20, 76, 160}, {28, 112, 196}, {64, 156, 220}, {136, 206, 238}, {240, 250, 255}};
 constexpr Color viridis[] = {{68, 1, 84},    {72, 40, 120},  {62, 73, 137},  {49, 104, 142},
@@ -57,7 +58,7 @@ float speed_of(const Frame& f, std::size_t i) {
   return std::sqrt(sum);
 }
 
-/// Of `count` liquids; a file may say what it likes.
+/// The liquid of particle i; 0 for an index beyond `count`, because a file may hold any number.
 std::size_t liquid_of(const Frame& f, std::size_t i, std::size_t count) {
   const std::size_t k = f.liquid.empty() ? 0 : std::size_t(f.liquid[i]);
   return k < count ? k : 0;
@@ -118,7 +119,7 @@ std::string label_of(const Scene& s) {
   return "";
 }
 
-/// The values' own range: of what has a sign, as far to both sides.
+/// Sets the range to that of the values; for signed quantities it is symmetric about zero.
 void fit_range(ColorBy what, Coloring& c) {
   float low = std::numeric_limits<float>::max(), high = -low;
   for (const float v : c.values)
@@ -135,7 +136,7 @@ void fit_range(ColorBy what, Coloring& c) {
     high = std::max(std::abs(low), std::abs(high));
     low = -high;
   }
-  if (low > high) low = high = 0;  // nothing at all
+  if (low > high) low = high = 0;  // no values
   c.low = low;
   c.high = high > low ? high : low + std::max(1.0f, std::abs(low));
 }
@@ -143,7 +144,7 @@ void fit_range(ColorBy what, Coloring& c) {
 }  // namespace
 
 Color map_color(ColorMap map, float t) {
-  t = t > 0 ? std::min(t, 1.0f) : 0;  // NaN too
+  t = t > 0 ? std::min(t, 1.0f) : 0;  // NaN becomes 0
   switch (map) {
     case ColorMap::article:
       return speed_color(t);
@@ -161,7 +162,7 @@ Color map_color(ColorMap map, float t) {
 
 Color Coloring::at(float t) const {
   if (liquids.empty()) return map_color(map, t);
-  const float k = t > 0 ? t * float(liquids.size()) : 0;  // NaN too
+  const float k = t > 0 ? t * float(liquids.size()) : 0;  // NaN becomes 0
   return liquids[std::min(std::size_t(k), liquids.size() - 1)];
 }
 

@@ -9,27 +9,27 @@
 
 namespace freshet {
 
-/// The colour of a map at t = 0 ... 1; beyond, the ends, and the first one for NaN.
+/// The colour of a map at t, clamped to 0 ... 1; the first colour for NaN.
 Color map_color(ColorMap map, float t);
 
-/// picture.background, or the article's ground where that is none.
+/// The colour of picture.background; the article's background if it is not a colour.
 Color ground_color(const Scene& scene);
 bool is_light(Color ground);
 
-/// What the particles of a frame are coloured by.
+/// The colouring of the particles of a frame.
 struct Coloring {
   ColorMap map;
   float low, high;             ///< the values at the ends of the map
-  std::vector<float> values;   ///< one a particle
+  std::vector<float> values;   ///< one per particle
   std::string label;           ///< "speed [m/s]"
-  std::vector<Color> liquids;  ///< by the value, a whole number, instead of the map; else empty
+  std::vector<Color> liquids;  ///< replaces the map if not empty: indexed by the value
 
   Color operator()(std::size_t i) const { return at((values[i] - low) / (high - low)); }
-  /// At t = 0 ... 1 between low and high.
+  /// The colour at t, 0 at `low` and 1 at `high`.
   Color at(float t) const;
 };
 
-/// As the scene's picture.color_by, color_map and color_range say.
+/// The colouring by the scene's picture.color_by, color_map and color_range.
 Coloring color_particles(const Scene& scene, const Frame& frame);
 
 }  // namespace freshet

@@ -14,9 +14,9 @@ namespace {
 
 constexpr Color background{8, 10, 28}, frame{80, 80, 120}, wall{128, 126, 122};
 constexpr int margin = picture_margin;
-constexpr int default_radius = 5;    // px
-constexpr double disc_girth = 1.15;  // spacings that a disc is wide: it closes the gaps
-constexpr float softness = 0.7f;     // of the dot's radius: where its weight is 1/e
+constexpr int default_radius = 5;    // [px]
+constexpr double disc_girth = 1.15;  // diameter of a disc in spacings, which closes the gaps
+constexpr float softness = 0.7f;     // fraction of the dot's radius at which its weight is 1/e
 
 std::uint8_t add(std::uint8_t below, std::uint8_t color, float weight) {
   return std::uint8_t(std::min(255.0f, float(below) + float(color) * weight));
@@ -29,7 +29,7 @@ void cover(Color& below, Color color, float share) {
   below = {part(below.r, color.r), part(below.g, color.g), part(below.b, color.b)};
 }
 
-/// A dot's weights exp(-d^2/(0.7 r)^2), 0 outside its radius.
+/// The weights of a dot's pixels: exp(-d^2/(0.7 r)^2), 0 outside its radius r.
 std::vector<float> dot_weights(int radius) {
   std::vector<float> weights;
   const float sigma2 = float(radius) * softness * float(radius) * softness;
@@ -58,14 +58,14 @@ void draw_frame(Image& image) {
   for (int y = 0; y < image.height; ++y) image.at(margin - 1, y) = image.at(right, y) = frame;
 }
 
-/// Pixels from the left (or the bottom) edge of the picture; a particle far out is far out here
-/// too.
+/// The distance from the left (or bottom) edge of the picture [px]. It is clamped to ±1e6, so that
+/// the conversion to int is defined for distant particles.
 int to_pixels(float x, double low, double high, int size) {
   const float p = (x - float(low)) / float(high - low) * float(size - 2 * margin);
   return int(std::clamp(p, -1e6f, 1e6f));
 }
 
-/// What is seen: the domain, or picture.window.
+/// The visible region: the domain, or picture.window.
 struct Window {
   explicit Window(const Scene& s) : min(s.domain.min), max(s.domain.max) {
     if (min.empty()) min = {0, 0};
@@ -84,7 +84,7 @@ struct Extent {
   int left, top, right, bottom;
 };
 
-/// The pixels that a wall can take up.
+/// The rectangle of pixels that a wall may cover.
 Extent extent_of(const Solid<2, double>& solid, const Window& window, const double (&scale)[2],
                  const Image& image) {
   const int right = image.width - margin, bottom = image.height - margin;
@@ -101,7 +101,7 @@ Extent extent_of(const Solid<2, double>& solid, const Window& window, const doub
           pixel(x + half_x * scale[0] + 2, right), pixel(y + half_y * scale[1] + 2, bottom)};
 }
 
-/// Grey where a wall is, with smooth edges.
+/// Draws walls in grey with smooth edges.
 void draw_walls(Image& image, const Scene& s, const Window& window) {
   const double scale[] = {window.pixels_per_metre(image, 0), window.pixels_per_metre(image, 1)};
   for (const Scene::Wall& w : s.wall) {
@@ -118,7 +118,8 @@ void draw_walls(Image& image, const Scene& s, const Window& window) {
   }
 }
 
-/// Bodies where they are now, as walls are drawn; turned back to where their shape stands.
+/// Draws bodies like walls. Pixels are transformed back to the body's initial position, where its
+/// shape is defined.
 void draw_bodies(Image& image, const Scene& s, const Window& window, const Frame& frame) {
   const double scale[] = {window.pixels_per_metre(image, 0), window.pixels_per_metre(image, 1)};
   for (std::size_t k = 0; k < std::min(s.body.size(), frame.bodies.size()); ++k) {
@@ -144,7 +145,7 @@ void draw_bodies(Image& image, const Scene& s, const Window& window, const Frame
   }
 }
 
-/// The article's: light that adds up.
+/// Draws the article's dots, whose light adds up.
 void add_dots(Image& image, const Scene& scene, const Window& window, const Frame& fluid,
               const Coloring& colors) {
   const int radius = int(scene.picture.dot_radius.value_or(default_radius));
@@ -159,7 +160,7 @@ void add_dots(Image& image, const Scene& scene, const Window& window, const Fram
   }
 }
 
-/// Discs with smooth edges; where they overlap, the later particle is seen.
+/// Draws discs with smooth edges. Later particles cover earlier ones.
 void cover_with_discs(Image& image, const Scene& scene, const Window& window, const Frame& fluid,
                       const Coloring& colors) {
   const double across = window.pixels_per_metre(image, 0), up = window.pixels_per_metre(image, 1);

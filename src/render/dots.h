@@ -7,18 +7,18 @@
 
 namespace freshet {
 
-/// Blue - yellow - red for t = 0 ... 1, the article's map of speed; beyond, the ends.
+/// The article's colour map of speed: blue - yellow - red for t, clamped to 0 ... 1.
 Color speed_color(float t);
 
-/// Pixels between the picture's edge and what it shows in 2D.
+/// The margin between the picture's edge and the visible region in 2D [px].
 inline constexpr int picture_margin = 5;
 
-/// The picture of a 2D fluid: dots on the ground, walls in grey, and the lines of a frame. By
-/// default the article's: soft dots, coloured by speed over max(0.1, fastest), added up.
+/// The picture of a 2D fluid: dots on the background, walls in grey, and a frame. Without `colors`
+/// it is the article's: soft dots that add up, coloured by speed over max(0.1, fastest).
 Image draw_dots(const Scene& scene, const Frame& fluid, const Coloring& colors);
 Image draw_dots(const Scene& scene, const Frame& fluid);
 
-/// Counts the pixels of such a picture on the article's ground.
+/// Counts the pixels of a picture on the article's background.
 PictureStatistics picture_statistics(const Image& image);
 
 }  // namespace freshet

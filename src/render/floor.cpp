@@ -9,9 +9,9 @@
 namespace freshet {
 namespace {
 
-constexpr double finest = 1.0 / 400;   // of the floor's longer side: a cell
-constexpr int shadow_softness = 5;     // cells that an edge is blurred over, three times
-constexpr float fluid_opacity = 1.2f;  // of one layer of balls
+constexpr double finest = 1.0 / 400;   // side of a cell over the floor's longer side
+constexpr int shadow_softness = 5;     // radius of the blur in cells; it is applied three times
+constexpr float fluid_opacity = 1.2f;  // optical depth of one layer of balls
 
 }  // namespace
 
@@ -51,9 +51,9 @@ FloorShadow::FloorShadow(const Scene& scene, const Frame& fluid,
   for (int pass = 0; pass < 3; ++pass) blur(shadow_softness);
 }
 
-/// Each ball's share of the cells that its shadow, taken as a square, covers.
+/// Adds the shadow of each ball, taken as a square, to the cells that it covers.
 void FloorShadow::add_fluid(const Scene& scene, const Frame& fluid) {
-  constexpr float of_square = 0.785f;  // what a disc takes up
+  constexpr float of_square = 0.785f;  // area of a disc over that of its square
   const Point l = light_direction();
   const double half = scene.particles.spacing / (2 * side_);
   const auto overlap = [half](int k, double center) {
@@ -72,7 +72,7 @@ void FloorShadow::add_fluid(const Scene& scene, const Frame& fluid) {
   }
 }
 
-/// A cell is dark where the way to the light meets the solid.
+/// Darkens the cells whose ray to the light meets the solid.
 void FloorShadow::add_solid(const Solid<3, double>& solid) {
   const Point l = light_direction();
   const Bounds b = bounds_of(solid);
@@ -101,7 +101,7 @@ void FloorShadow::add_solid(const Solid<3, double>& solid) {
     }
 }
 
-/// The shadow of each triangle.
+/// Adds the shadow of each triangle.
 void FloorShadow::add_mesh(const TriangleMesh& mesh) {
   const Point l = light_direction();
   const auto shadow = [&](Point p) {
@@ -116,7 +116,7 @@ void FloorShadow::add_mesh(const TriangleMesh& mesh) {
   }
 }
 
-/// Each cell the mean of 2·radius + 1, along x, then along z.
+/// Replaces each cell by the mean of 2·radius + 1 cells, along x, then along z.
 void FloorShadow::blur(int radius) {
   const auto along = [&](int n, int lines, auto at) {
     std::vector<float> line(std::size_t(n) + std::size_t(2 * radius) + 1);

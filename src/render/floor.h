@@ -9,22 +9,22 @@
 
 namespace freshet {
 
-/// Towards the light; of length 1.
+/// The unit vector towards the light.
 Point light_direction();
 
-/// Corners of the box around a solid that is not a plane.
+/// The corners of a bounding box. The solid must not be a plane.
 struct Bounds {
   Point low, high;
 };
 Bounds bounds_of(const Solid<3, double>& solid);
 
-/// How dark the bottom of the domain is: the shadows of the fluid and of solids, with soft edges.
+/// The shadows of the fluid and of solids on the bottom of the domain, with soft edges.
 class FloorShadow {
  public:
   FloorShadow(const Scene& scene, const Frame& fluid, const std::vector<Solid<3, double>>& solids,
               const std::vector<TriangleMesh>& bodies);
 
-  /// 0 in full light ... 1 in full shadow, at (x, z) [m] on the floor.
+  /// The shadow at (x, z) on the floor [m]: 0 in full light, 1 in full shadow.
   float operator()(double x, double z) const;
 
  private:
@@ -35,7 +35,7 @@ class FloorShadow {
   float& cell(int i, int j) { return dark_[std::size_t(j) * std::size_t(nx_) + std::size_t(i)]; }
 
   Point low_, high_;
-  double side_;  // of a cell [m]
+  double side_;  // side of a cell [m]
   int nx_, nz_;
   std::vector<float> dark_;
 };

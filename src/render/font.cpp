@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Cairo finds fonts by name as well, but keeps fontconfig's patterns of them for good; these hold
-/// their parts by offsets, so that leak checkers take the parts for lost. A face that is opened
-/// here leaves no pattern behind.
+/// Loads fonts by file. Cairo could find fonts by name, but then it keeps fontconfig's patterns for
+/// the life of the process. These refer to their parts by offsets, which leak checkers report as
+/// leaks.
 #include "render/font.h"
 
 #include <cairo/cairo-ft.h>
@@ -22,7 +22,7 @@ template <class T, class Free> std::unique_ptr<T, Free> owned(T* pointer, Free f
               why + "; install the fonts DejaVu (apt-get install fonts-dejavu-core)");
 }
 
-/// The file of the font that fontconfig holds for the nearest.
+/// The file of the font that fontconfig selects.
 std::string font_file(bool bold) {
   const auto config = owned(FcInitLoadConfigAndFonts(), FcConfigDestroy);
   const auto wanted = owned(
@@ -40,7 +40,7 @@ std::string font_file(bool bold) {
   return reinterpret_cast<const char*>(file);
 }
 
-/// A face with the library that opened it.
+/// A font face with the FreeType library that owns it.
 struct Face {
   explicit Face(const std::string& file) {
     if (FT_Init_FreeType(&library) != 0) fail("FreeType cannot be set up");
@@ -65,7 +65,7 @@ Font load_font(bool bold) {
   auto face = std::make_unique<Face>(font_file(bold));
   Font font(cairo_ft_font_face_create_for_ft_face(face->face, FT_LOAD_DEFAULT),
             cairo_font_face_destroy);
-  // Cairo may keep the font for a while: the face goes when Cairo lets it go
+  // Cairo may keep the font: the face is deleted when Cairo releases it
   if (cairo_font_face_set_user_data(font.get(), &key, face.get(), [](void* f) {
         delete static_cast<Face*>(f);
       }) != CAIRO_STATUS_SUCCESS)

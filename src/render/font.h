@@ -8,8 +8,8 @@ namespace freshet {
 
 using Font = std::unique_ptr<cairo_font_face_t, decltype(&cairo_font_face_destroy)>;
 
-/// DejaVu Sans for Cairo, or what the system has in its place.
-/// Throws Error (kind run) where there is no font at all.
+/// DejaVu Sans for Cairo, or the font that the system substitutes for it.
+/// Throws Error (kind run) if there is no font.
 Font load_font(bool bold);
 
 }  // namespace freshet

@@ -14,13 +14,13 @@
 namespace freshet {
 namespace {
 
-constexpr double longest_bar = 0.25;  // of the picture's width
+constexpr double longest_bar = 0.25;  // fraction of the picture's width
 constexpr double ground_opacity = 0.6;
 
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
-/// A sheet over the picture, transparent where nothing is drawn.
+/// A transparent layer over the picture.
 class Sheet {
  public:
   Sheet(Image& image, Color ground)
@@ -46,7 +46,7 @@ class Sheet {
     cairo_text_extents(c(), words.c_str(), &e);
     return e.x_advance;
   }
-  /// Words that start at x on the line y.
+  /// Writes text from x on, with its baseline at y.
   void write(double x, double y, const std::string& words) {
     ink();
     cairo_move_to(c(), x, y);
@@ -57,13 +57,13 @@ class Sheet {
     cairo_rectangle(c(), x, y, width, height);
     cairo_fill(c());
   }
-  /// A quiet place for words.
+  /// Draws a translucent background for text.
   void panel(double x, double y, double width, double height) {
     fill(x, y, width, height, ground_, ground_opacity);
   }
   Color ink_color() const { return ink_; }
 
-  /// Lays the sheet over the picture.
+  /// Blends the layer over the picture.
   void lay() {
     cairo_surface_flush(surface_.get());
     const unsigned char* rows = cairo_image_surface_get_data(surface_.get());
@@ -82,7 +82,7 @@ class Sheet {
       }
   }
 
-  double size;  ///< of the letters [px]
+  double size;  ///< font size [px]
 
  private:
   cairo_t* c() { return context_.get(); }
@@ -100,7 +100,7 @@ double seen_width(const Scene& s) {
   return s.domain.max[0] - (s.domain.min.empty() ? 0 : s.domain.min[0]);
 }
 
-/// Words on a panel; returns the panel's bottom.
+/// Draws the time stamp on a panel. Returns the panel's bottom.
 double draw_time(Sheet& sheet, double top, const std::string& words) {
   const double em = sheet.size;
   sheet.panel(0.8 * em, top, sheet.width_of(words) + em, 1.7 * em);

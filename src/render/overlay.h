@@ -4,13 +4,13 @@
 
 namespace freshet {
 
-/// Draws what picture.time_stamp, scale_bar and color_bar ask for over a picture.
+/// Draws the time stamp, scale bar and colour bar over a picture, as set in [picture].
 void draw_overlays(Image& image, const Scene& scene, double time, const Coloring& colors);
 
-/// "t = 0.75 s", with as many decimals as tell a hundredth of a run that ends then.
+/// A time stamp such as "t = 0.75 s", with enough decimals to resolve a hundredth of `end` [s].
 std::string time_words(double time, double end);
 
-/// A round length, 1, 2 or 5 times a power of ten, of at most `most`.
+/// The largest round length (1, 2 or 5 times a power of ten) up to `most`.
 double round_length(double most);
 
 }  // namespace freshet

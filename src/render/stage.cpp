@@ -14,7 +14,7 @@ namespace {
 constexpr Color wall_color{176, 172, 166};
 constexpr float darkest_shadow = 0.62f;
 constexpr int circle_parts = 64;
-constexpr int most_strides = 200;  // of a ray towards a solid
+constexpr int most_strides = 200;  // maximum number of steps of a ray towards a solid
 
 Color mix(Color a, Color b, float f) {
   const auto part = [f](std::uint8_t u, std::uint8_t v) {
@@ -23,7 +23,7 @@ Color mix(Color a, Color b, float f) {
   return {part(a.r, b.r), part(a.g, b.g), part(a.b, b.b)};
 }
 
-/// Nothing holds the fluid up where the bottom is open or periodic.
+/// Whether the domain has a floor: its bottom is neither open nor periodic.
 bool has_bottom(const Scene& s) { return !s.periodic(1) && s.side_method(2) != WallMethod::open; }
 
 }  // namespace
@@ -78,7 +78,7 @@ void Stage::add_circle(Point center, Point u, Point v) {
   for (int k = 0; k < circle_parts; ++k) lines_.push_back({at(k), at(k + 1)});
 }
 
-/// One sees into a tank: only its edges are drawn.
+/// Adds the edges of a tank. Its faces are not drawn, so that the inside is visible.
 void Stage::add_tank_lines(const Solid<3, double>& t) {
   if (t.kind == SolidKind::box) return add_box_lines(t.center - t.half, t.center + t.half);
   const double r = t.radius;
@@ -131,7 +131,7 @@ void Stage::draw(Band& band) const {
 void Stage::draw_floor(Band& band) const {
   const float full = brightness({0, 1, 0});
   for (int y = band.top; y < band.top + band.rows; ++y) {
-    // the picture is level: along a row the floor is as far everywhere
+    // the camera does not roll, so the floor has one depth along a row
     const Point first = view_.ray(0.5, y + 0.5), step = view_.ray(1.5, y + 0.5) - first;
     const double z = (low_.y - view_.eye.y) / first.y;
     if (!(z > view_.nearest)) continue;
@@ -145,8 +145,8 @@ void Stage::draw_floor(Band& band) const {
   }
 }
 
-/// Strides as long as the solid is far, from where the ray enters the domain; where the domain cuts
-/// the solid, its face is seen.
+/// Sphere tracing: it advances by the distance from the solid, from the entry of the ray into the
+/// domain on. Where the domain cuts the solid, the hit has the normal of the domain's face.
 std::optional<Stage::Hit> Stage::meet(const Solid<3, double>& solid, Point ray) const {
   double enter = view_.nearest, leave = 1e30;
   Point face{};
@@ -185,7 +185,7 @@ void Stage::draw_solid(Band& band, const Solid<3, double>& solid) const {
         band.paint(x, y, float(hit->z), lit(wall_color, brightness(hit->normal)));
 }
 
-/// Of a tank only what is seen from within: one looks in.
+/// Draws a triangle. Those of a tank are drawn only if the eye is on their inner side.
 void Stage::draw_triangle(Band& band, const TriangleMesh& mesh, int triangle, bool tank,
                           Color surface) const {
   const auto corners = mesh.corners(triangle);
@@ -193,7 +193,7 @@ void Stage::draw_triangle(Band& band, const TriangleMesh& mesh, int triangle, bo
   const double facing = dot(view_.eye - corners[0], normal);
   if (tank && facing >= 0) return;
   normal = (facing < 0 ? -1 : 1) / norm(normal) * normal;
-  std::vector<Point> seen;  // x, y and 1/z of what is before the eye
+  std::vector<Point> seen;  // x, y and 1/z of the corners after clipping at the nearest distance
   for (std::size_t k = 0; k < 3; ++k) {
     const Point a = corners[k], b = corners[(k + 1) % 3];
     const double za = dot(a - view_.eye, view_.forward) - view_.nearest,
@@ -228,7 +228,7 @@ void Stage::draw_line(Band& band, const Line& line) const {
   const auto p = view_(a), q = view_(b);
   const double dx = q.x - p.x, dy = q.y - p.y,
                steps = std::ceil(std::max({std::abs(dx), std::abs(dy), 1.0}));
-  // the part of it that is in the band
+  // the part of the line in the band
   double first = 0, last = 1;
   const auto cut = [&](double from, double by, double low, double high) {
     if (by == 0) {

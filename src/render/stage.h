@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What stands around the fluid in 3D: the floor, the edges of the domain, the walls.
+/// The surroundings of the fluid in 3D: floor, edges of the domain, walls and bodies.
 #pragma once
 #include <optional>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace freshet {
 
-/// The light that a surface throws back, by the cosines between its normal and the light, and its
-/// normal and the vertical: the sky lights what faces up.
+/// The light that a surface reflects. `facing` is the cosine between its normal and the light,
+/// `upward` the cosine between its normal and the vertical; the sky lights upward surfaces.
 inline float brightness(float facing, float upward) {
   constexpr float ambient = 0.42f;
   return ambient * (0.8f + 0.2f * upward) + (1 - ambient) * std::max(0.0f, facing);
@@ -21,7 +21,7 @@ Color lit(Color c, float light);
 
 class Stage {
  public:
-  /// `view` is in samples.
+  /// `view` has samples as its unit of pictures, not pixels.
   Stage(const Scene& scene, const Frame& fluid, const View& view, Color ground);
 
   void draw(Band& band) const;
@@ -30,7 +30,7 @@ class Stage {
   struct Line {
     Point a, b;
   };
-  /// Where a wall can be in the picture, in samples.
+  /// The rectangle of samples that a wall may cover.
   struct Extent {
     int left, top, right, bottom;
   };
@@ -49,7 +49,7 @@ class Stage {
   void draw_triangle(Band& band, const TriangleMesh& mesh, int triangle, bool tank,
                      Color color) const;
   void draw_line(Band& band, const Line& line) const;
-  /// Distance along the line of sight and the surface's direction where a ray meets a solid.
+  /// Distance along the line of sight and surface normal where a ray meets a solid.
   struct Hit {
     double z;
     Point normal;
@@ -57,7 +57,7 @@ class Stage {
   std::optional<Hit> meet(const Solid<3, double>& solid, Point ray) const;
 
   View view_;
-  Point low_, high_;  // of the domain
+  Point low_, high_;  // corners of the domain
   bool has_floor_;
   Color floor_, edge_;
   std::vector<Solid<3, double>> solids_;

@@ -8,7 +8,8 @@
 namespace freshet {
 
 /// Calls f(x, y, shares) for the cells of a grid, in columns 0 to `width` and rows `top` to
-/// `bottom`, whose middles lie in a triangle; `shares` are what each corner has of the middle.
+/// `bottom`, whose centres lie in a triangle. `shares` are the barycentric coordinates of the
+/// centre.
 template <class F>
 void for_each_cell(const Vec<2, double> (&t)[3], int width, int top, int bottom, const F& f) {
   const auto across = [](Vec<2, double> a, Vec<2, double> b) { return a.x * b.y - a.y * b.x; };

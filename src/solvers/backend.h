@@ -7,7 +7,7 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-struct AnyTerm {  ///< the least that a pair term has
+struct AnyTerm {  ///< the members that every pair term has
   template <class R> struct At { R a; };
   template <class R> struct Neighbor { R b; };
   At<Real> at(int) const;
@@ -24,26 +24,28 @@ struct AnyMap {
   Real operator()(int) const;
 };
 
-/// The verbs that a solver is written in. The name that each call carries labels the timing table.
-/// A pass sees every field as it was before the pass.
+/// The verbs of a backend, in which solvers are written. The name in each call is its line in the
+/// timing table. A pass sees every field as it was before the pass.
 template <class B, int D>
 concept Backend = requires(B b, Particles<D> p, Particles<D> wall, Real h, AnyTerm term,
                            AnyFinish finish, AnyVisit visit, AnyMap map) {
-  /// For every i of p the particles j of each set with |x_ij| < h, i itself among them, and copies
-  /// of j. Makes the copies of p anew, and may sort the fields of p (the first time of all sets).
+  /// Finds, for every particle i of p, the particles j and copies of each set with |x_ij| < h [m],
+  /// including i itself. It creates the copies of p again. It may sort p and other sets that move;
+  /// the first call may sort all sets.
   b.find_neighbors("", h, p, wall);
-  /// The same for targets that stand still, over a set whose neighbours have been found: by where
-  /// its particles were then.
+  /// Finds the neighbours of other targets in a set p that find_neighbors has searched. It uses the
+  /// positions of p at that search.
   b.list_neighbors("", h, wall, p);
-  /// finish(i, sum_j term(pair, at(i), neighbor(j))), set by set, cell by cell, by id in a cell;
-  /// copies after all others.
+  /// Calls finish(i, sum_j term(pair, at(i), neighbor(j))). The order of j is by set, by cell, by
+  /// id in a cell; copies are last.
   b.sum_pairs("", p, over(p, term), finish);
   b.sum_pairs("", p, over(p, term), over(wall, term), finish);
-  /// visit(i) for every particle.
+  /// Calls visit(i) for every particle.
   b.for_each("", p, visit);
-  /// Copies of particles (periodic images, ghosts, halos) learn new values of these fields.
+  /// Updates these fields at the copies of particles (periodic images, ghosts, halos).
   b.share("", p, p.x, p.v);
-  /// max_i map(i), and sum_i map(i): independent of threads, sums by fixed point.
+  /// max_i map(i) and sum_i map(i). They do not depend on the number of threads: sums are in fixed
+  /// point.
   { b.max("", p, map) } -> std::convertible_to<double>;
   { b.sum("", p, map) } -> std::convertible_to<double>;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What the fluid does to rigid bodies, and they to it: versatile rigid-fluid coupling [Akinci,
-/// Ihmsen, Akinci, Solenthaler, Teschner 2012], with the samples of any wall.
+/// The coupling of fluid and rigid bodies: versatile rigid-fluid coupling [Akinci, Ihmsen, Akinci,
+/// Solenthaler, Teschner 2012], with the boundary particles of any wall method.
 #pragma once
 #include "boundary/wall_sets.h"
 #include "pairs/density_rate.h"
@@ -10,7 +10,7 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Adds a body's motion at each of its samples to a field, or puts it in its place.
+/// Adds a body's velocity at each body particle to a field, or overwrites the field with it.
 template <int D> struct MoveSamples {
   using Twist = typename RigidBodies<D>::Twist;
   Field<std::uint64_t> id;
@@ -30,7 +30,7 @@ template <int D> struct MoveSamples {
   }
 };
 
-/// Shows samples of adami2012 how a body moves there; walls do not.
+/// Sets velocity u and acceleration a of body particles of adami2012; those of walls are zero.
 template <int D> struct ShowMotion {
   AdamiWall<D> samples;
   const typename RigidBodies<D>::Body* bodies;
@@ -50,7 +50,7 @@ template <int D> struct ShowMotion {
   }
 };
 
-/// A sample's share of the force and the torque on its body.
+/// The force and torque of a body particle on its body [N, N m].
 template <int D> struct SampleWrench {
   struct Item {
     int group;
@@ -70,7 +70,8 @@ template <int D> struct BodyCoupling {
   using Twist = typename RigidBodies<D>::Twist;
   using Body = typename RigidBodies<D>::Body;
 
-  /// What the term by which samples act does to the bodies, in totals [N, N m].
+  /// Sums the reaction of a pair term of body particles, as force and torque on each body, into
+  /// `totals` [N, N m].
   template <class B, class Fluid, class Term>
   static void sum_reactions(B& backend, const Walls<D>& w, const Fluid& f, const Term& term) {
     sum_reactions(backend, *w.bodies, w.of_bodies, f, term);
@@ -87,18 +88,19 @@ template <int D> struct BodyCoupling {
                        bodies.totals.data());
   }
 
-  /// motion(body) at the samples, in a field of both sets: their velocities.
+  /// Sets the velocities of body particles in both sets to those of the twist motion(body).
   template <class B, class Motion>
   static void set_velocities(B& backend, const Walls<D>& w, const Motion& motion) {
     move(backend, w, motion, false, [](const auto& set) { return set.v; });
   }
-  /// x + motion(body) at the samples [m].
+  /// Moves body particles in both sets by the displacement of the twist motion(body) [m, rad].
   template <class B, class Motion>
   static void displace(B& backend, const Walls<D>& w, const Motion& motion) {
     move(backend, w, motion, true, [](const auto& set) { return set.x; });
   }
 
-  /// The density's rate by moving samples, which density rates are less by.
+  /// Computes the density rate by moving boundary particles, which is subtracted from density
+  /// rates.
   template <class B, class Fluid, class Kernel>
   static void set_rate(B& backend, const Walls<D>& w, const Fluid& f, const Kernel& W) {
     const auto rate = w.rate;
@@ -107,7 +109,7 @@ template <int D> struct BodyCoupling {
                       [=] FRESHET_LAMBDA(int i, Real sum) { rate[i] = sum; });
   }
 
-  /// Shows samples of adami2012 how the bodies move, in both sets.
+  /// Sets velocity and acceleration of body particles of adami2012 in both sets.
   template <class B> static void show_motion(B& backend, const Walls<D>& w) {
     const RigidBodies<D>& bodies = *w.bodies;
     const auto visit = [&](const AdamiWall<D>& set, std::uint64_t first) {
@@ -137,8 +139,8 @@ template <int D> struct BodyCoupling {
   }
 };
 
-/// Of a solver that finds its forces once a step: what they are on the bodies, by the term of
-/// either kind of sample.
+/// Evaluates the force on each body for a solver that computes its forces once a step. `term` is
+/// for body particles of akinci2012, `layered_term` for those of adami2012.
 template <int D, class B, class Fluid, class Term, class LayeredTerm>
 void ask_bodies(B& backend, const Walls<D>& w, const Fluid& f, const Term& term,
                 const LayeredTerm& layered_term) {

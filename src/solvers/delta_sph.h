@@ -8,12 +8,12 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// rho is kept: it is advanced in time.
+/// The fluid fields of delta-SPH. rho is kept, because it is advanced in time.
 template <int D> struct DeltaSphFluid : FluidParticles<D> {
-  Field<Real> drho;        ///< rate of the density
+  Field<Real> drho;        ///< density rate [kg/(m^D s)]
   Field<Vec<D>> v_memory;  ///< kept: velocity earlier in the step; not with symplectic Euler
-  Field<Real> rho_memory;  ///< kept: the same of the density
-  Field<Real> diffusion;   ///< scratch
+  Field<Real> rho_memory;  ///< kept: density earlier in the step; not with symplectic Euler
+  Field<Real> diffusion;   ///< scratch: density rate by diffusion; Antuono's diffusion only
   Field<Vec<D>> density_gradient;  ///< scratch; Antuono's diffusion only
 
   template <class Visit> void fields(Integrator integrator, bool antuono, Visit visit) {
@@ -39,12 +39,13 @@ template <int D> struct DeltaSphFluid : FluidParticles<D> {
 };
 
 /// Free-surface flows by SPH with numerical diffusive terms [Antuono, Colagrossi, Marrone, Molteni
-/// 2010]: density by the continuity equation with diffusion, Tait's equation.
+/// 2010]. The density follows from the continuity equation with diffusion, the pressure from Tait's
+/// equation.
 template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
   using Fluid = DeltaSphFluid<D>;
   WeaklyCompressibleParameters<D> c;
   Kernel<D> W;
-  NonPressureForces<D, B>* forces = nullptr;  ///< what else acts, if anything
+  NonPressureForces<D, B>* forces = nullptr;  ///< forces beside pressure; null: none
 
   template <class Visit> void fields(Fluid& f, Visit visit) const {
     f.fields(c.integrator, c.antuono, visit);
@@ -59,10 +60,10 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
     return time_step_bounds(backend, f, double(c.h), c.fastest_sound(), c.artificial_nu());
   }
 
-  /// The pair terms of the rates, for what else asks who pushes whom.
+  /// The pair terms of the rates; wall forces and bodies use them as well.
   auto fluid_forces(const Fluid& f) const {
     DeltaSphNumbers numbers = this->numbers();
-    if (c.antuono) numbers.delta_h_c = 0;  // it has a pass of its own
+    if (c.antuono) numbers.delta_h_c = 0;  // diffuse() computes it in a separate pass
     const Vec<D> G = c.rho0 / (c.c0 * c.c0) * c.gravity;
     return DeltaSphRates{W, numbers, G, f.p, f.rho, f.v};
   }
@@ -81,9 +82,10 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
     return {c.m, c.rho0, c.alpha * c.h * c.c0, c.delta * c.h * c.c0, c.eps_h2()};
   }
 
-  /// Symplectic Euler moves the density with the velocity that moved the particles, before the
-  /// forces (otherwise it would be explicit Euler for sound, which no step is short enough for);
-  /// the others predict both alike, and need one pass.
+  /// Computes a and drho. With symplectic Euler the density advances first, with the velocity that
+  /// moved the particles; otherwise the scheme would be explicit Euler for sound, which is unstable
+  /// for any step. The other integrators predict velocity and density in the same way and need one
+  /// pass.
   void evaluate_rates(B& backend, Fluid& fluid, const Walls<D>& w, const Tick& t) const {
     backend.find_neighbors("neighbors", c.support, fluid, w.akinci2012, w.adami2012,
                            w.monaghan2009);
@@ -108,7 +110,7 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
                adami2012_forces(f, w.of_layered_bodies));
   }
 
-  /// The end of both passes: one struct, so that their sums are compiled once.
+  /// The finish of both passes. It is one struct, so that the pair sums are compiled once.
   struct SetRates {
     Fluid f;
     Field<Real> moving_rate;
@@ -126,7 +128,7 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
       f.drho[i] = density_first ? 0 : density_rate(f, moving_rate, diffuses, i, sum.drho);
     }
   };
-  /// Drho_i/Dt: the sum, with the rates of the passes of bodies and of diffusion.
+  /// Drho_i/Dt: the sum with the rates of the separate passes for bodies and diffusion.
   FRESHET_HD static Real density_rate(const Fluid& f, Field<Real> moving_rate, bool diffuses, int i,
                                       Real sum) {
     if (moving_rate.data) sum -= moving_rate[i];
@@ -141,11 +143,11 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
                       over(w.monaghan2009, monaghan2009_forces(f, w)), finish);
   }
 
-  /// Nothing where bodies are of one layer: there the pair terms have their velocities.
+  /// No memory for body particles of akinci2012, whose velocities are in the pair terms.
   static Field<Real> moving_rate(const Walls<D>& w) {
     return w.of_layered_bodies.n > 0 ? w.rate : Field<Real>{};
   }
-  /// What the density's rate is less by, as bodies of adami2012 move.
+  /// The density rate by moving bodies of adami2012, which is subtracted from drho.
   void sum_moving_rate(B& backend, const Fluid& f, const Walls<D>& w) const {
     const auto rho = f.rho, rate = w.rate;
     backend.sum_pairs("bodies: rate", f,

@@ -6,9 +6,9 @@ namespace freshet {
 inline namespace FRESHET_ISA {
 
 template <int D> struct DfsphFluid : IncompressibleFluid<D> {
-  Field<Real> k_divergence;         ///< kept: p/rho^2 of the divergence's solve
-  Field<Real> change, k_before;     ///< scratch: of the iteration
-  Field<Vec<D>> v_before, v_start;  ///< scratch: of the iteration; of the step
+  Field<Real> k_divergence;         ///< kept: p/rho^2 of the divergence solve
+  Field<Real> change, k_before;     ///< scratch: change of k; k of the previous iteration
+  Field<Vec<D>> v_before, v_start;  ///< scratch: v of the previous iteration; v before the step
   template <class Visit> void fields(Visit visit) {
     IncompressibleFluid<D>::fields(visit);
     visit("k_divergence", Keep::kept, k_divergence);
@@ -19,29 +19,29 @@ template <int D> struct DfsphFluid : IncompressibleFluid<D> {
   }
 };
 
-/// Divergence-free SPH for incompressible and viscous fluids [Bender and Koschier 2017]: one solve
-/// for pressures that keep the velocities free of divergence, one for pressures that keep the
-/// density, each started from the pressures of the step before.
+/// Divergence-free SPH for incompressible and viscous fluids [Bender and Koschier 2017]. One solve
+/// keeps the velocity divergence-free, the other keeps the density. Each starts from the pressures
+/// of the previous step.
 ///
-/// Both seek pressures k >= 0 that leave nothing compressed, and push nothing apart that is not. An
-/// iteration is a step of Jacobi's towards them, and with `accelerated` a further one along the
-/// last step, longer from iteration to iteration [Nesterov 1983], started over where the error grew
-/// [O'Donoghue and Candes 2015]: the depth that the pressure of the surface has reached then grows
-/// with the iterations, not with their root.
+/// Both solve a complementarity problem: pressures k >= 0, no positive excess, and k = 0 where the
+/// excess is negative. An iteration is a relaxed Jacobi step. With `accelerated` it adds momentum
+/// along the previous change [Nesterov 1983], which restarts when the error grows [O'Donoghue and
+/// Candes 2015]. The depth to which pressure has spread from the surface then grows with the number
+/// of iterations, not with its square root.
 template <int D, Backend<D> B, template <int> class Kernel>
 struct Dfsph : Incompressible<D, B, Kernel> {
   using Base = Incompressible<D, B, Kernel>;
   using Base::c;
   using Fluid = DfsphFluid<D>;
 
-  /// Algorithm 1, from the search on.
+  /// One step: algorithm 1, from the neighbour search on.
   std::array<Solve, 2> step(B& backend, Fluid& fluid, Walls<D>& w, const Tick& t) const {
     this->find_neighbors(backend, fluid, w);
     const auto f = fluid;
     const Real dt = t.dt;
     this->density_and_factor(backend, f, w);
     backend.for_each("start", f, [=] FRESHET_LAMBDA(int i) { f.v_start[i] = f.v[i]; });
-    const Solve divergence =  // algorithm 2; the surface's few neighbours are no divergence
+    const Solve divergence =  // algorithm 2; Excess ignores particles with few neighbours
         remove(backend, f, w, "divergence", f.k_divergence, c.divergence,
                {f.rho, c.rho0, dt, true});
     this->push_without_pressure(backend, f, w, dt, c.gravity);
@@ -53,7 +53,8 @@ struct Dfsph : Incompressible<D, B, Kernel> {
     return {divergence, density};
   }
 
-  /// What a solve removes, by the rate Drho_i/Dt [kg/m^D].
+  /// The excess that a solve removes, a function of the rate Drho_i/Dt [kg/m^D]. For the divergence
+  /// a particle with rho <= 0.6 rho0, at a free surface, has no positive excess.
   struct Excess {
     Field<Real> rho;
     Real rho0, dt;
@@ -65,7 +66,7 @@ struct Dfsph : Incompressible<D, B, Kernel> {
   };
 
   // The parts of a step: public for nvcc, which takes no lambdas from private functions.
-  /// Changes v by pressures k until the excess is gone.
+  /// Solves for pressures k that remove the excess, and changes v by them.
   Solve remove(B& backend, const Fluid& f, const Walls<D>& w, const char* name, Field<Real> k,
                const Iterations& limits, const Excess& excess) const {
     const Real dt = excess.dt;
@@ -79,8 +80,8 @@ struct Dfsph : Incompressible<D, B, Kernel> {
     return done;
   }
 
-  /// Pressures of which less than half was needed are not started from again: what flies apart
-  /// would be pushed on, step by step, by no more than the tolerance.
+  /// Resets pressures of which less than half was needed. With a warm start from them, particles
+  /// that fly apart would be pushed further in every step, by less than the tolerance.
   void forget_unneeded(B& backend, const Fluid& fluid, Field<Real> k, Real dt) const {
     const auto f = fluid;
     backend.for_each("start", f, [=] FRESHET_LAMBDA(int i) {
@@ -88,7 +89,8 @@ struct Dfsph : Incompressible<D, B, Kernel> {
     });
   }
 
-  /// v pushed by the pressures of the step before; or by none, from zero on.
+  /// Initialises k: with a warm start from the previous step, whose pressures push v, else from
+  /// zero.
   void start(B& backend, const Fluid& fluid, const Walls<D>& w, Field<Real> k, Real dt) const {
     const auto f = fluid;
     const double most = backend.max(
@@ -101,12 +103,12 @@ struct Dfsph : Incompressible<D, B, Kernel> {
     if (w.bodies && w.bodies->respond) push_bodies(backend, f, w, k, dt, 0);
   }
 
-  /// The change of k that Jacobi's step is, and the error before it.
+  /// Computes the change of k by one Jacobi step. Returns the error before it.
   double measure(B& backend, const Fluid& fluid, const Walls<D>& w, Field<Real> k,
                  const Excess& excess_of) const {
     const auto f = fluid;
     const Real dt = excess_of.dt;
-    // With momentum steps converge that are shorter than 4/(3 stiffness).
+    // With momentum a relaxation factor below 4/(3 stiffness) converges.
     const Real omega = c.accelerated ? Real(1.2f) / c.stiffness : c.relaxation(0.5f);
     this->density_rate(backend, f, w, f.v, [=] FRESHET_LAMBDA(int i, Real rate) {
       const Real excess = excess_of(i, rate), k_per_excess = f.factor[i] / (dt * dt);  // eq. 12
@@ -116,7 +118,8 @@ struct Dfsph : Incompressible<D, B, Kernel> {
     return this->error(backend, f);
   }
 
-  /// k + change, v pushed by the change, and both on by beta times what they went since the last.
+  /// Adds the change to k and its push to v, then extrapolates both by beta times their difference
+  /// from the previous iteration.
   void improve(B& backend, const Fluid& fluid, const Walls<D>& w, Field<Real> k, Real dt,
                Real beta) const {
     const auto f = fluid;
@@ -132,7 +135,8 @@ struct Dfsph : Incompressible<D, B, Kernel> {
     backend.share("v", f, f.v);
   }
 
-  /// The same of the motion of bodies.
+  /// Applies one iteration to the motion of bodies: the push of `change`, then extrapolation by
+  /// beta.
   void push_bodies(B& backend, const Fluid& f, const Walls<D>& w, Field<Real> change, Real dt,
                    Real beta) const {
     this->press_bodies(backend, f, w, change);
@@ -144,14 +148,14 @@ struct Dfsph : Incompressible<D, B, Kernel> {
     this->show_bodies(backend, f, w);
   }
 
-  /// beta of Nesterov's scheme, as if a few iterations had gone before: the pressures it starts
-  /// from are nearly right. Of Jacobi's own 0.
+  /// beta of Nesterov's scheme; 0 for plain Jacobi. theta starts at 3, its value after a few
+  /// iterations, because a warm start is close to the solution.
   class Momentum {
    public:
     explicit Momentum(bool on) : on_(on) {}
     double next(double error) {
       if (!on_) return 0;
-      const bool first = last_error_ < 0;  // no change to go on along
+      const bool first = last_error_ < 0;  // there is no previous change yet
       if (!first && error > last_error_) theta_ = 1;
       last_error_ = error;
       const double before = std::exchange(theta_, (1 + std::sqrt(1 + 4 * theta_ * theta_)) / 2);

@@ -6,8 +6,8 @@ namespace freshet {
 inline namespace FRESHET_ISA {
 
 template <int D> struct IisphFluid : IncompressibleFluid<D> {
-  Field<Real> rho_adv;  ///< scratch: density that the other forces lead to [kg/m^D]
-  Field<Vec<D>> a_p;    ///< scratch: acceleration by the pressures
+  Field<Real> rho_adv;  ///< scratch: density predicted without pressure [kg/m^D]
+  Field<Vec<D>> a_p;    ///< scratch: acceleration by the pressures [m/s^2]
   template <class Visit> void fields(Visit visit) {
     IncompressibleFluid<D>::fields(visit);
     visit("rho_adv", Keep::scratch, rho_adv);
@@ -16,9 +16,9 @@ template <int D> struct IisphFluid : IncompressibleFluid<D> {
 };
 
 /// Implicit incompressible SPH [Ihmsen, Cornelis, Solenthaler, Horvath, Teschner 2014], algorithm
-/// 1: a relaxed Jacobi iteration for pressures p >= 0, here k = p/rho^2, that give every particle
-/// its rest density. The sums of d_ij p_j are the accelerations that the pressures give, and the
-/// product with the matrix is the rate of the density by them.
+/// 1. A relaxed Jacobi iteration finds pressures p >= 0, here k = p/rho^2, that give every particle
+/// its rest density. The paper's sums of d_ij p_j are the accelerations by the pressures. The
+/// product with the matrix is the density rate by these accelerations.
 template <int D, Backend<D> B, template <int> class Kernel>
 struct Iisph : Incompressible<D, B, Kernel> {
   using Base = Incompressible<D, B, Kernel>;
@@ -36,7 +36,7 @@ struct Iisph : Incompressible<D, B, Kernel> {
       f.rho_adv[i] = f.rho[i] + dt * rate;  // eq. 4
       f.k[i] = start * f.k[i];
     });
-    if (w.bodies && !w.bodies->respond)  // accelerated by nothing
+    if (w.bodies && !w.bodies->respond)  // pressures do not accelerate them
       this->show_bodies(backend, f, w, [](const auto&) { return Twist{}; });
     const Solve density = solve(
         "density", c.density, [&] { return iterate(backend, f, w, dt); }, [](double) {});
@@ -50,7 +50,7 @@ struct Iisph : Incompressible<D, B, Kernel> {
   }
 
   // Public for nvcc, which takes no lambdas from private functions.
-  /// One iteration of the pressures; returns the error before it.
+  /// One iteration of the pressures. Returns the error before it.
   double iterate(B& backend, const Fluid& fluid, const Walls<D>& w, Real dt) const {
     const auto f = fluid;
     const Real rho0 = c.rho0, dt2 = dt * dt, omega = c.relaxation(0.5f);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The parts that the solvers for the pressure share. What does not depend on the solver is defined
-/// in incompressible_impl.h and compiled once per backend, dimension and kernel.
+/// The parts that the pressure solvers share. Functions that do not depend on the solver are
+/// defined in incompressible_impl.h and compiled once per backend, dimension and kernel.
 #pragma once
 #include <array>
 #include <cmath>
@@ -28,25 +28,25 @@ template <int D> struct IncompressibleParameters {
   Real m, m_density;  ///< mass [kg]; mass over the kernel's lattice sum [kg]
   Real rho0;          ///< rest density [kg/m^D]
   Liquids liquids;
-  Real most_nu, xsph;  ///< the greatest kinematic viscosity [m^2/s]; XSPH's share a step
+  Real most_nu, xsph;  ///< maximum kinematic viscosity [m^2/s]; XSPH's share per step
   Real repulsion;      ///< K of the repulsive walls [m^2/s^2]
   Real response;       ///< of a particle in a resting lattice (pairs/density_and_response.h)
-  Real stiffness;      ///< the equations' greatest eigenvalue over their diagonal, there
+  Real stiffness;      ///< largest eigenvalue of the equations over their diagonal, in a lattice
   Vec<D> gravity;      ///< [m/s^2]
   Confinement<D> confine;
   bool warm_start, accelerated;
   Iterations density, divergence;
 
   Real eps_h2() const { return Real(0.01f) * h * h; }
-  /// How long a step of Jacobi's may be: as the paper has it, but with room below the longest that
-  /// converges, 2/stiffness.
+  /// The relaxation factor of a Jacobi iteration: the paper's, but at most 1.6/stiffness. The
+  /// iteration converges below 2/stiffness.
   Real relaxation(Real papers) const { return min(papers, Real(1.6f) / stiffness); }
 };
 
 template <int D> struct IncompressibleFluid : FluidParticles<D> {
-  Field<Real> k;       ///< kept: p/rho^2
-  Field<Real> factor;  ///< scratch: 1/response, 0 where nothing answers
-  Field<Real> excess;  ///< scratch: what a solve has to remove [kg/m^D]
+  Field<Real> k;       ///< kept: p/rho^2 [Pa m^(2D)/kg^2]
+  Field<Real> factor;  ///< scratch: 1/response [m^(2D+2)/kg^2], 0 for a negligible response
+  Field<Real> excess;  ///< scratch: excess density that a solve still has to remove [kg/m^D]
   template <class Visit> void fields(Visit visit) {
     visit("k", Keep::kept, k);
     visit("a", Keep::scratch, this->a);
@@ -89,11 +89,12 @@ template <int D, Backend<D> B, template <int> class Kernel> struct Incompressibl
   void find_neighbors(B& backend, BaseFluid& fluid, const Walls<D>& w) const;
   void density_and_factor(B& backend, const BaseFluid& fluid, const Walls<D>& w,
                           const char* name = "density, factor") const;
-  /// a by viscosity, g, walls that repel and other forces, and v + dt a.
+  /// Sets a by viscosity, g, repulsive walls and other forces, and adds dt a to v.
   void push_without_pressure(B& backend, const BaseFluid& fluid, const Walls<D>& w, Real dt,
                              Vec<D> g) const;
 
-  /// finish(i, Drho_i/Dt) by the velocities v; by accelerations, its own rate.
+  /// Calls finish(i, Drho_i/Dt) for the velocities v. For accelerations in place of v it is the
+  /// rate of Drho_i/Dt.
   template <class Finish>
   void density_rate(B& backend, const BaseFluid& f, const Walls<D>& w, Field<Vec<D>> v,
                     const Finish& finish) const {
@@ -104,7 +105,7 @@ template <int D, Backend<D> B, template <int> class Kernel> struct Incompressibl
                         finish(i, of_bodies.data ? rate - of_bodies[i] : rate);
                       });
   }
-  /// finish(i, acceleration) by the pressures k = p/rho^2.
+  /// Calls finish(i, acceleration) for the pressures k = p/rho^2.
   template <class Finish>
   void pressure_acceleration(B& backend, const BaseFluid& f, const Walls<D>& w, Field<Real> k,
                              const Finish& finish) const {
@@ -122,25 +123,26 @@ template <int D, Backend<D> B, template <int> class Kernel> struct Incompressibl
     }
   };
 
-  // Bodies answer to every push of a solve as if only their hinge held them: a light one moves
-  // aside, and the pressures account for that. The engine moves the bodies after the step.
+  // During a solve bodies respond to the pressures; of their constraints only hinges count. The
+  // pressures thus account for a light body that moves aside. The engine moves the bodies after the
+  // step.
   using Coupling = BodyCoupling<D>;
   using Body = typename Coupling::Body;
   using Twist = typename Coupling::Twist;
 
-  /// The fluid sees the velocities of the bodies.
+  /// Sets the velocities of body particles and the density rate by them, from the bodies' motion.
   void show_bodies(B& backend, const BaseFluid& f, const Walls<D>& w) const {
     show_bodies(backend, f, w, [](const Body& b) { return b.motion; });
   }
-  /// The fluid sees motion(body) as their velocities.
+  /// Sets the velocities of body particles and the density rate by them, from motion(body).
   template <class Motion>
   void show_bodies(B& backend, const BaseFluid& f, const Walls<D>& w, const Motion& motion) const {
     Coupling::set_velocities(backend, w, motion);
     set_rate(backend, f, w);
   }
-  /// body.push [m/s^2] becomes the answer to the pressures k.
+  /// Sets body.push to the acceleration by the pressures k [m/s^2, rad/s^2].
   void press_bodies(B& backend, const BaseFluid& f, const Walls<D>& w, Field<Real> k) const;
-  /// Adds the impulse of the pressures k over dt.
+  /// Adds the impulse of the pressures k over dt to each body [N s, N m s].
   void note_impulse(B& backend, const BaseFluid& f, const Walls<D>& w, Field<Real> k,
                     Real dt) const;
   void note_impulse(const Walls<D>& w, double dt) const {
@@ -148,22 +150,24 @@ template <int D, Backend<D> B, template <int> class Kernel> struct Incompressibl
       w.bodies->all[b].impulse += dt * w.bodies->totals[b];
   }
   void set_rate(B& backend, const BaseFluid& f, const Walls<D>& w) const;
-  /// Friction on bodies, in totals.
+  /// Sums the friction on bodies into `totals` [N, N m].
   void rub_bodies(B& backend, const BaseFluid& f, const Walls<D>& w) const;
-  /// Friction and other loads change the motion of bodies.
+  /// Changes the motion of bodies by friction (in `totals`) and by their loads (`pull`).
   void push_bodies(B& backend, const BaseFluid& f, const Walls<D>& w, Real dt) const;
 
-  /// The remaining error, as a mean over the fluid and a share of the rest density: the larger of
-  /// positive density error and of what pressures hold too far apart.
+  /// The error of a solve: the mean of |excess| with one sign over the rest density, for the sign
+  /// where it is larger. Positive excess is compression; negative excess is separation by pressures
+  /// that are too large.
   double error(B& backend, const BaseFluid& f) const;
 
-  /// The part of an excess that is still to be removed, where k_per_excess · excess is the k that
-  /// would: a pressure of zero cannot fall, and where nothing answers there is nothing to do.
+  /// The part of an excess that a change of pressure can still remove [kg/m^D]. k_per_excess ·
+  /// excess is the change of k that would remove it. k cannot fall below zero. It is 0 where
+  /// k_per_excess is 0.
   FRESHET_HD static Real left_of(Real excess, Real k, Real k_per_excess) {
     return k_per_excess > 0 ? max(excess, -k / k_per_excess) : 0;
   }
 
-  /// x by the v that the solve left.
+  /// Advances x by dt v, confines the particles, and sets p from k.
   void drift(B& backend, const BaseFluid& fluid, Real dt) const;
 };
 

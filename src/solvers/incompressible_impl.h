@@ -6,7 +6,8 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Without sound, the flow's bound is left: no particle may cross 0.4 h in a step.
+/// Without sound the acoustic bound is the bound by the flow: a particle moves at most 0.4 h a
+/// step.
 template <int D, Backend<D> B, template <int> class Kernel>
 TimeStepBounds Incompressible<D, B, Kernel>::bounds(B& backend, const BaseFluid& f) const {
   TimeStepBounds b = time_step_bounds(backend, f, double(c.h), 0, double(c.most_nu));
@@ -47,7 +48,7 @@ void Incompressible<D, B, Kernel>::push_without_pressure(B& backend, const BaseF
   const auto f = fluid;
   const Liquids liquids = c.liquids;
   backend.share("v", f, f.v);
-  rub_bodies(backend, f, w);  // first: what follows changes v
+  rub_bodies(backend, f, w);  // before v changes
   backend.sum_pairs("viscosity", f, over(f, fluid_friction(f, c.xsph / dt)),
                     over(w.akinci2012, akinci2012_friction(f, w.akinci2012)),
                     over(w.monaghan2009, monaghan2009_forces(f, w)),

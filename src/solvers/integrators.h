@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// How a step follows from the rates. A fluid's evolve(i, f) calls f(value, rate, memory) for each
-/// quantity that has a rate: v with a, and the density where it is advanced in time.
+/// Time integrators. A fluid's evolve(i, f) calls f(i, value, rate, memory) for each quantity that
+/// has a rate: v with the rate a, and the density of delta-SPH with drho.
 #pragma once
 #include <cstdint>
 
@@ -40,7 +40,7 @@ struct SecondKick {
     q[i] = m[i] + dt * rate[i];
   }
 };
-/// memory = q, q += dt q': a prediction by the rate before
+/// memory = q, q += dt q': a prediction with the previous rate
 struct Predict {
   Real dt;
   template <class T>
@@ -62,8 +62,8 @@ template <class Fluid, class Confinement> struct EulerStep {
   }
 };
 
-/// Leapfrog in its kick-drift-kick form, first half: second order. Viscosity needs v at the end of
-/// the step before it is known; the old rate predicts it.
+/// The first half of leapfrog in its kick-drift-kick form: second order. Viscosity needs v at the
+/// end of the step, which the old rate predicts.
 template <class Fluid, class Confinement> struct KickDrift {
   Fluid f;
   Confinement confine;
@@ -75,14 +75,16 @@ template <class Fluid, class Confinement> struct KickDrift {
     f.evolve(i, SecondKick{dt / 2});
   }
 };
+/// The second half of leapfrog: the kick with the new rate.
 template <class Fluid> struct LastKick {
   Fluid f;
   Real dt;
   FRESHET_HD void operator()(int i) const { f.evolve(i, SecondKick{dt / 2}); }
 };
 
-/// Verlet in its position form, drift-kick-drift: second order, one force a step, in its middle
-/// [Tuckerman, Berne, Martyna 1992]. What the force needs there beside x, the rate before predicts.
+/// The first half of Verlet in its position form, drift-kick-drift [Tuckerman, Berne, Martyna
+/// 1992]. It is of second order with one force a step, at the middle of the step. Quantities other
+/// than x that the force needs there are predicted with the previous rate.
 template <class Fluid, class Confinement> struct HalfDrift {
   Fluid f;
   Confinement confine;
@@ -93,6 +95,7 @@ template <class Fluid, class Confinement> struct HalfDrift {
     f.evolve(i, Predict{dt / 2});
   }
 };
+/// The second half of Verlet: the kick of the whole step, then the second half drift.
 template <class Fluid, class Confinement> struct KickHalfDrift {
   Fluid f;
   Confinement confine;
@@ -104,7 +107,8 @@ template <class Fluid, class Confinement> struct KickHalfDrift {
   }
 };
 
-/// One step: rates() fills a (and the rates of what else evolves) at the present x and v.
+/// Takes one step. rates() computes a, and the rates of other quantities that evolve, at the
+/// present x and v.
 template <class B, class Fluid, class C, class Rates>
 void integrate(B& backend, Integrator integrator, const Fluid& f, const C& confine, const Tick& t,
                const Rates& rates) {

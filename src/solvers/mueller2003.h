@@ -17,17 +17,17 @@ template <int D> struct Mueller2003Parameters {
   Real m, m_density;  ///< mass [kg]; mass over Poly6's lattice sum [kg]
   Real rho0, k, mu;   ///< rest density [kg/m^D], stiffness [m^2/s^2], viscosity [Pa s]
   Vec<D> gravity;     ///< [m/s^2]
-  Liquids liquids;    ///< one
+  Liquids liquids;    ///< exactly one
   Confinement<D> confine;
   Integrator integrator;
-  bool article;       ///< the article's step, which limits speeds
+  bool article;       ///< use the article's step, which limits speeds
   Real spiky_factor;  ///< Spiky<D>::derivative, or the article's 10
   Real speed_limit;   ///< [m/s]; the article's step only
 };
 
-/// a is kept: the acceleration for the first kick of the next step.
+/// The fluid fields of Mueller 2003. a is kept, because the first kick of the next step uses it.
 template <int D> struct Mueller2003Fluid : FluidParticles<D> {
-  Field<Vec<D>> v_memory;  ///< kept (the search sorts within a step): velocity at its middle
+  Field<Vec<D>> v_memory;  ///< velocity at mid-step; kept, because the search sorts within a step
 
   template <class Visit> void fields(Visit visit) {
     visit("a", Keep::kept, this->a);
@@ -40,8 +40,8 @@ template <int D> struct Mueller2003Fluid : FluidParticles<D> {
   }
 };
 
-/// The article's integrator: one kick, one drift, both of the whole step. Started from x and v of
-/// the same time this is symplectic Euler: first order.
+/// The article's integrator: one kick and one drift, both of the whole step. It starts from x and v
+/// of the same time, so it is symplectic Euler: first order.
 template <int D> struct ArticleStep {
   Mueller2003Fluid<D> f;
   Confinement<D> confine;
@@ -74,14 +74,14 @@ template <int D, Backend<D> B> struct Mueller2003 {
                             double(c.mu) / double(c.rho0));
   }
 
-  /// The pair term of the forces: force densities, over rho an acceleration.
+  /// The pair term of the forces: force densities [N/m^D].
   auto fluid_forces(const Fluid& f) const {
     return Mueller2003Forces<D>{
         Spiky<D>(c.h, c.spiky_factor), ViscosityKernel<D>(c.h), c.m, c.mu, f.p, f.rho, f.v};
   }
 
   // The parts of a step: public for nvcc, which takes no lambdas from private functions.
-  /// rho and p, then a = (f^pressure + f^viscosity)/rho + g.
+  /// Computes rho and p, then a = (f^pressure + f^viscosity)/rho + g.
   void accelerate(B& backend, Fluid& fluid) const {
     backend.find_neighbors("neighbors", c.h, fluid);
     const auto c = this->c;

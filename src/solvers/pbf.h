@@ -6,8 +6,8 @@ namespace freshet {
 inline namespace FRESHET_ISA {
 
 template <int D> struct PbfFluid : IncompressibleFluid<D> {
-  Field<Real> lambda;   ///< scratch: -lambda_i/(m rho0), of the iteration
-  Field<Vec<D>> moved;  ///< scratch: the corrections of the step [m]
+  Field<Real> lambda;   ///< scratch: -lambda_i/(m rho0) of the iteration [m^(D+2)/kg]
+  Field<Vec<D>> moved;  ///< scratch: sum of the corrections of the step [m]
   template <class Visit> void fields(Visit visit) {
     IncompressibleFluid<D>::fields(visit);
     visit("lambda", Keep::scratch, lambda);
@@ -15,9 +15,10 @@ template <int D> struct PbfFluid : IncompressibleFluid<D> {
   }
 };
 
-/// Position based fluids [Macklin and Mueller 2013], algorithm 1: move the particles as they fly,
-/// then correct their places until none is compressed; what that took is the velocity's change.
-/// Pressures are not negative, so that the artificial pressure of the paper's sec. 4 is not needed.
+/// Position based fluids [Macklin and Mueller 2013], algorithm 1. Particles move without pressure,
+/// then corrections of their positions remove compression. The corrections over dt are the change
+/// of velocity. Pressures are not negative, so the artificial pressure of the paper's sec. 4 is not
+/// needed.
 template <int D, Backend<D> B, template <int> class Kernel>
 struct Pbf : Incompressible<D, B, Kernel> {
   using Base = Incompressible<D, B, Kernel>;
@@ -63,7 +64,7 @@ struct Pbf : Incompressible<D, B, Kernel> {
     });
   }
 
-  /// The density where the particles are, and the multipliers that it asks for.
+  /// Computes the density at the corrected positions and the multipliers lambda. Returns the error.
   double constrain(B& backend, const Fluid& fluid, const Walls<D>& w) const {
     const auto f = fluid;
     const Real rho0 = c.rho0, omega = c.relaxation(1);
@@ -75,13 +76,14 @@ struct Pbf : Incompressible<D, B, Kernel> {
     return this->error(backend, f);
   }
 
-  /// The engine has put them to where they fly in dt; pulled, they get farther.
+  /// Moves body particles by dt^2 pull, the displacement by gravity and other loads. The engine has
+  /// already moved them by the bodies' velocity over dt.
   void predict_bodies(B& backend, const Walls<D>& w, Real dt) const {
     BodyCoupling<D>::displace(backend, w,
                               [=](const auto& body) { return square(double(dt)) * body.pull; });
     for (auto& body : w.bodies->all) body.motion += double(dt) * std::exchange(body.pull, {});
   }
-  /// The same correction of bodies, whose impulse it is.
+  /// Corrects the positions of bodies by lambda and adds the impulse of the correction.
   void correct_bodies(B& backend, const Fluid& f, const Walls<D>& w, Real dt) const {
     this->press_bodies(backend, f, w, f.lambda);
     this->note_impulse(w, 1 / double(dt));
@@ -92,7 +94,7 @@ struct Pbf : Incompressible<D, B, Kernel> {
 
   void correct(B& backend, const Fluid& fluid, const Walls<D>& w, Real dt) const {
     const auto f = fluid;
-    if (w.bodies) correct_bodies(backend, f, w, dt);  // first: what follows changes x
+    if (w.bodies) correct_bodies(backend, f, w, dt);  // before x changes
     this->pressure_acceleration(backend, f, w, f.lambda, [=] FRESHET_LAMBDA(int i, Vec<D> sum) {
       f.moved[i] += sum;
       f.x[i] += sum;

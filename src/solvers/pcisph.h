@@ -7,8 +7,8 @@ namespace freshet {
 inline namespace FRESHET_ISA {
 
 template <int D> struct PcisphFluid : IncompressibleFluid<D> {
-  Field<Vec<D>> a_p;    ///< scratch: acceleration by the pressures
-  Field<Vec<D>> moved;  ///< scratch: x* - x
+  Field<Vec<D>> a_p;    ///< scratch: acceleration by the pressures [m/s^2]
+  Field<Vec<D>> moved;  ///< scratch: x* - x [m]
   template <class Visit> void fields(Visit visit) {
     IncompressibleFluid<D>::fields(visit);
     visit("a_p", Keep::scratch, a_p);
@@ -16,8 +16,9 @@ template <int D> struct PcisphFluid : IncompressibleFluid<D> {
   }
 };
 
-/// Predictive-corrective incompressible SPH [Solenthaler and Pajarola 2009], algorithm 2: predict
-/// where the particles go, and correct the pressures, from zero on, by the density found there.
+/// Predictive-corrective incompressible SPH [Solenthaler and Pajarola 2009], algorithm 2. An
+/// iteration predicts the positions and corrects the pressures by the density there. Pressures
+/// start from zero.
 template <int D, Backend<D> B, template <int> class Kernel>
 struct Pcisph : Incompressible<D, B, Kernel> {
   using Base = Incompressible<D, B, Kernel>;
@@ -47,7 +48,7 @@ struct Pcisph : Incompressible<D, B, Kernel> {
   }
 
   // The parts of a step: public for nvcc, which takes no lambdas from private functions.
-  /// One iteration of the pressures; returns the error before it.
+  /// One iteration of the pressures. Returns the error before it.
   double correct(B& backend, const Fluid& fluid, const Walls<D>& w, Real dt) const {
     const auto f = fluid;
     const Real rho0 = c.rho0;

@@ -5,8 +5,8 @@ namespace freshet {
 
 /// The limits of a solve.
 struct Iterations {
-  double tolerance;  ///< of the error
-  int least, most;
+  double tolerance;  ///< maximum error of a converged solve
+  int least, most;   ///< minimum and maximum number of iterations
 };
 
 /// The result of a solve. The error is a mean over the fluid: see SolveStatistics.
@@ -26,7 +26,8 @@ struct Solves {
   const Solve* end() const { return result + count; }
 };
 
-/// Repeats error = measure() and improve(error), until the error is within the tolerance or NaN.
+/// Repeats error = measure() and improve(error), from c.least to c.most iterations. It ends when
+/// the error is within the tolerance or NaN.
 template <class Measure, class Improve>
 Solve solve(const char* name, const Iterations& c, const Measure& measure, const Improve& improve) {
   for (int n = 1;; ++n) {

@@ -12,10 +12,12 @@ inline namespace FRESHET_ISA {
 /// The bounds of an explicit step, with h half the support [Monaghan 1992, 2005]:
 ///
 ///   acoustic  0.4 h/(c + max |v|)    sound and particles cross less than h
-///   force     0.25 sqrt(h/max |a|)   a particle at rest moves less than h/32
+///   force     0.25 sqrt(h/max |a|)   a particle at rest moves at most h/32
 ///   viscous   0.125 h^2/nu           explicit diffusion of momentum is stable
 ///
-///   h [m], c [m/s], nu [m^2/s]; a is of the step before.
+///   h [m], c [m/s], nu [m^2/s]; a is that of the previous step
+///
+/// Without particles max |v| and max |a| are 0, and bounds that divide by zero are infinity.
 template <class B, class Fluid>
 TimeStepBounds time_step_bounds(B& backend, const Fluid& f, double h, double c, double nu) {
   if (f.n == 0) {

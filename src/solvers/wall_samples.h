@@ -7,7 +7,7 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// psi of all boundary particles of akinci2012, once. Sorts them.
+/// Computes psi [kg] of all boundary particles of akinci2012, once at the start. It sorts them.
 template <int D, class B, class Kernel>
 void prepare_walls(B& backend, Walls<D>& walls, const Kernel& W, Real support, Real rho0) {
   auto& wall = walls.akinci2012;

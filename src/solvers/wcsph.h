@@ -10,6 +10,7 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
+/// The fluid fields of WCSPH.
 template <int D> struct WcsphFluid : FluidParticles<D> {
   Field<Vec<D>> v_memory;  ///< kept: velocity earlier in the step; not with symplectic Euler
 
@@ -26,13 +27,13 @@ template <int D> struct WcsphFluid : FluidParticles<D> {
 };
 
 /// Weakly compressible SPH for free surface flows [Becker and Teschner 2007]: density by summation,
-/// Tait's equation, artificial viscosity. The free surface's missing neighbours are no tension:
-/// pressures are not negative.
+/// Tait's equation, artificial viscosity. Negative pressures are set to zero, so that missing
+/// neighbours at the free surface do not cause tension.
 template <int D, Backend<D> B, template <int> class Kernel> struct Wcsph {
   using Fluid = WcsphFluid<D>;
   WeaklyCompressibleParameters<D> c;
   Kernel<D> W;
-  NonPressureForces<D, B>* forces = nullptr;  ///< what else acts, if anything
+  NonPressureForces<D, B>* forces = nullptr;  ///< forces beside pressure; null: none
 
   template <class Visit> void fields(Fluid& f, Visit visit) const { f.fields(c.integrator, visit); }
 
@@ -44,7 +45,7 @@ template <int D, Backend<D> B, template <int> class Kernel> struct Wcsph {
     return time_step_bounds(backend, f, double(c.h), c.fastest_sound(), c.artificial_nu());
   }
 
-  /// The pair terms of the forces, for what else asks who pushes whom.
+  /// The pair terms of the forces; wall forces and bodies use them as well.
   auto fluid_forces(const Fluid& f) const {
     return Becker2007Forces{W, Pi(), c.m, f.p, f.rho, f.v};
   }

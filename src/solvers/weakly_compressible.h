@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What the weakly compressible solvers share: numbers, the equation of state, Adami's walls.
+/// The parts that the weakly compressible solvers share: parameters, the equation of state, Adami's
+/// walls.
 #pragma once
 #include <utility>
 
@@ -18,25 +19,27 @@ inline namespace FRESHET_ISA {
 template <int D> struct WeaklyCompressibleParameters {
   Real support, h;    ///< support radius, half of it [m]
   Real m, m_density;  ///< mass [kg]; mass over the kernel's lattice sum [kg]
-  Real rho0, c0;      ///< of the densest liquid: rest density [kg/m^D], speed of sound [m/s]
+  Real rho0, c0;      ///< rest density [kg/m^D] and speed of sound [m/s] of the densest liquid
   Real background;    ///< pressure at rest density [Pa]
-  Real alpha, delta;  ///< of artificial viscosity and of density diffusion
+  Real alpha, delta;  ///< coefficients of artificial viscosity and of density diffusion
   Liquids liquids;
-  Real lightest;   ///< the greatest lightness
+  Real lightest;   ///< the maximum lightness
   Vec<D> gravity;  ///< [m/s^2]
   Confinement<D> confine;
   Integrator integrator;
-  bool antuono;  ///< of delta_sph: diffusion of Antuono 2010, else of Fourtakas 2019
+  bool antuono;  ///< delta_sph: diffusion of Antuono 2010, else of Fourtakas 2019
 
   Real eps_h2() const { return Real(0.01f) * h * h; }
-  /// B in p = B((rho/rho0)^7 - 1), so that sound has c0: B = rho0 c0^2/7
+  /// B of p = B((rho/rho0)^7 - 1) for the speed of sound c0: B = rho0 c0^2/7 [Pa]
   Real B() const { return rho0 * c0 * c0 / 7; }
-  /// What sound and its viscosity are in the lightest liquid, of as much bulk modulus.
+  /// Speed of sound [m/s] and artificial viscosity [m^2/s] in the lightest liquid; all liquids have
+  /// the same bulk modulus.
   double fastest_sound() const { return double(c0) * std::sqrt(double(lightest)); }
   double artificial_nu() const {
     return double(alpha) * double(h) * double(c0) / (2 * (D + 2)) * double(lightest);
   }
-  /// K of the repulsive walls: (0.1 c0)^2, as c0 is ten times the fastest flow sqrt(2 g depth)
+  /// K of the repulsive walls [m^2/s^2]: (0.1 c0)^2, because c0 is ten times sqrt(2 g depth), the
+  /// speed of the fastest flow.
   Real repulsion() const { return square(Real(0.1f) * c0); }
 };
 
@@ -46,9 +49,10 @@ FRESHET_HD Real tait(Real B, Real rho_over_rho0, Real background) {
   return B * (q2 * q2 * q2 * q - 1) + background;
 }
 
-/// One step: rates() fills a by pressure, walls and gravity; `forces` adds what else acts, if
-/// anything does. Leapfrog needs the velocity's rate before it knows the step's: there the implicit
-/// part of them has a step of its own, after the other one [Lie's splitting].
+/// Takes one step. rates() computes a by pressure, walls and gravity; `forces` adds the other
+/// forces. Leapfrog needs the acceleration of the previous step at the start of the next one. It
+/// therefore takes the implicit part of `forces` as a separate step after the explicit one [Lie
+/// splitting].
 template <int D, class B, class Fluid, class Rates>
 void integrate_with(B& backend, const WeaklyCompressibleParameters<D>& c, const Fluid& f,
                     const Walls<D>& w, const Tick& t, NonPressureForces<D, B>* forces,
@@ -57,7 +61,7 @@ void integrate_with(B& backend, const WeaklyCompressibleParameters<D>& c, const 
   const auto from = c.integrator == Integrator::symplectic_euler ? f.v
                     : leapfrog                                   ? Field<Vec<D>>{}
                                                                  : f.v_memory;
-  bool starts = leapfrog && t.step == 0;  // with rates that are no step's
+  bool starts = leapfrog && t.step == 0;  // the first rates() is at time 0, without a step
   integrate(backend, c.integrator, f, c.confine, t, [&] {
     rates();
     if (forces) forces->accelerate(backend, f, w, std::exchange(starts, false) ? 0 : t.dt, from);
@@ -65,7 +69,8 @@ void integrate_with(B& backend, const WeaklyCompressibleParameters<D>& c, const 
   if (forces && leapfrog) forces->relax(backend, f, w, t.dt);
 }
 
-/// After the search: bodies show how they move.
+/// Call after the neighbour search. It lists the fluid neighbours of body particles and sets their
+/// velocities from the bodies' motion.
 template <int D, class B, class Fluid>
 void show_bodies(B& backend, const Walls<D>& w, const Fluid& f, Real support) {
   if (!w.bodies) return;
@@ -78,8 +83,8 @@ void show_bodies(B& backend, const Walls<D>& w, const Fluid& f, Real support) {
   }
 }
 
-/// p and v of wall particles of Adami whose neighbours have been listed. A wall pushes and never
-/// pulls.
+/// Extrapolates p and v to wall particles of Adami 2012 whose neighbours have been listed. Negative
+/// pressures are set to zero: a wall pushes and never pulls.
 template <int D, class B, class Kernel, class Fluid>
 void extrapolate(B& backend, const char* name, const AdamiWall<D>& wall, const Fluid& f,
                  const Kernel& W, const WeaklyCompressibleParameters<D>& c) {
@@ -95,13 +100,14 @@ void extrapolate(B& backend, const char* name, const AdamiWall<D>& wall, const F
                     });
 }
 
-/// Of all of them, and of the bodies' once more.
+/// Extrapolates p and v to all wall particles of adami2012, and to the second set of body
+/// particles.
 template <int D, class B, class Kernel, class Fluid>
 void extrapolate_to_walls(B& backend, const Walls<D>& w, const Fluid& f, const Kernel& W,
                           const WeaklyCompressibleParameters<D>& c) {
   if (w.adami2012.n == 0) return;
   AdamiWall<D> wall = w.adami2012;
-  wall.moves = false;  // since it was found
+  wall.moves = false;  // find_neighbors has sorted it in this step
   backend.list_neighbors("walls", c.support, wall, f);
   extrapolate(backend, "walls", wall, f, W, c);
   if (w.of_layered_bodies.n > 0) extrapolate(backend, "bodies", w.of_layered_bodies, f, W, c);

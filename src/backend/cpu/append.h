@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The two shuffles of the list build: compaction of the lanes that count, and the transpose that
-/// turns rows of one particle each into the entries of a slice.
+/// The two shuffles of the list build: compaction of selected lanes, and the transpose of rows (one
+/// per particle) into the entries of a slice.
 #pragma once
 #include <array>
 #include <bit>
@@ -12,7 +12,8 @@ namespace freshet {
 inline namespace FRESHET_ISA {
 
 #if !defined(FRESHET_PLAIN_LANES) && !defined(__AVX512F__)
-/// For each mask the lanes that are set, first ones first; a byte each: all masks fit the L1 cache.
+/// For each mask its set lanes in ascending order. An entry is a byte, so the table fits the L1
+/// cache.
 struct CompactionTable {
   alignas(64) std::uint8_t lane[1 << lanes][lanes];
   constexpr CompactionTable() : lane{} {
@@ -34,7 +35,7 @@ FRESHET_HD Ints counting() {
 }
 #endif
 
-/// Lanes of a pack: those set in a mask, first ones first.
+/// Moves the lanes of a pack that are set in a mask to the front, in ascending order.
 class Compaction {
  public:
   FRESHET_HD explicit Compaction(unsigned mask) : mask_(mask) {
@@ -52,7 +53,7 @@ class Compaction {
   }
   FRESHET_HD int count() const { return std::popcount(mask_); }
 
-  /// Writes the lanes in the mask of four-byte values (and up to `lanes` of them in all).
+  /// Writes the masked lanes of four-byte values. It may write up to `lanes` values in total.
   template <class T> FRESHET_HD void operator()(const T* from, T* to) const {
 #if defined(FRESHET_PLAIN_LANES)
     int n = 0;
@@ -65,14 +66,14 @@ class Compaction {
                         _mm512_maskz_compress_epi32(__mmask16(mask_), _mm512_loadu_si512(from)));
 #elif defined(__AVX2__)
     __m256i v = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
-    asm("" : "+x"(v));  // vpermd takes half as long again when it loads
+    asm("" : "+x"(v));  // vpermd with a memory operand takes 1.5 times as long
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(v, lane_));
 #else
     const __m128i v = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
     _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm_shuffle_epi8(v, lane_));
 #endif
   }
-  /// The same of first, first + 1 ...
+  /// Writes the masked lanes of the values first, first + 1 ...
   FRESHET_HD void count_up(int first, int* to) const {
 #if defined(FRESHET_PLAIN_LANES)
     int all[lanes];
@@ -81,7 +82,7 @@ class Compaction {
 #elif defined(__AVX2__) && !defined(__AVX512F__)
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
                         _mm256_add_epi32(lane_, _mm256_set1_epi32(first)));
-#else  // in registers: a vector read right after its parts were written waits for the cache
+#else  // in registers: loading a vector right after its parts were stored stalls
     Ints all = counting();
     all += first;
     (*this)(reinterpret_cast<const int*>(&all), to);
@@ -97,7 +98,7 @@ class Compaction {
 #endif
 };
 
-/// `lanes` times the same.
+/// Writes `value` `lanes` times.
 FRESHET_HD void fill(int* to, int value) {
   for (int l = 0; l < lanes; ++l) to[l] = value;
 }
@@ -108,7 +109,7 @@ FRESHET_HD void transpose_rows(const int* rows, int stride, int* out) {
   for (int k = 0; k < lanes; ++k)
     for (int l = 0; l < lanes; ++l) out[k * lanes + l] = rows[l * stride + k];
 #else
-  // quad transposes, then the 128-bit parts change places
+  // transposes of quads, then a permutation of the 128-bit parts
   Floats r[lanes];
   Pack t[lanes];
   for (int l = 0; l < lanes; ++l) std::memcpy(&r[l], rows + std::size_t(l) * stride, sizeof r[l]);

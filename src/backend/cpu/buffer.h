@@ -9,7 +9,7 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Memory that only grows, aligned to cache lines. What it held is lost when it grows.
+/// Memory that only grows, aligned to cache lines. Growing discards the contents.
 template <class T> class Buffer {
  public:
   T* reserve(std::size_t n) {

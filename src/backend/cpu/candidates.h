@@ -9,22 +9,23 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// A grid to search, and what its sorted places count from in the lists.
+/// A grid to search, and the offset of its sorted indices in the lists.
 template <int D> struct Source {
   const CpuCellGrid<D>* grid;
   int offset;
 };
 
-/// Some targets in one row of cells, close together: what is near them is looked for once.
+/// Consecutive targets that are close together in one row of cells. They share one search for
+/// candidates.
 template <int D> struct Group {
   int first, last;
   Vec<D> low, high;  // the bounding box
-  Cell<D> cell;      // of the lowest along x
-  int cells;         // along x
+  Cell<D> cell;      // the first cell along x
+  int cells;         // number of cells along x
 
-  /// As many from `first` on as are close together, and not across a seam, where a search around
-  /// both ends would meet particles twice. Borders of cells are kept a hair away from: who lies
-  /// there, or is lost, makes a group of its own.
+  /// Takes targets from `first` on while they are close together. A group does not cross a seam of
+  /// the torus, where a search around both ends would find particles twice. A target closer than
+  /// 1e-3 of a cell to a border along y or z, or lost, is a group alone.
   FRESHET_HD Group(const CpuCellGrid<D>& targets, int first, int end) : first(first) {
     const Cells<D>& cells_of = targets.cells();
     low = high = targets.position(first);
@@ -48,12 +49,13 @@ template <int D> struct Group {
   }
 
  private:
-  /// Few cells: many searches. Many: many candidates that are near others only. With those around
-  /// them they are fewer than 16, the shortest row that wraps.
+  /// A small number means many searches, a large number many candidates that are near other targets
+  /// only. With the cells around the group it must stay below 16, the shortest row that wraps.
   static constexpr int most_cells = 6;
 };
 
-/// The sources near a group, side by side: those in reach of its bounding box.
+/// The sources near a group: those closer than the support radius to its bounding box, contiguous
+/// in memory.
 template <int D> class Candidates {
  public:
   int count() const { return count_; }
@@ -61,15 +63,15 @@ template <int D> class Candidates {
   void find(const Group<D>& group, Real h2, std::span<const Source<D>> sources) {
     count_ = 0;
     for (const Source<D>& source : sources) search(group, h2, source);
-    for (int k = 0; k < lanes; ++k) {  // no neighbours, to fill the last pack
+    for (int k = 0; k < lanes; ++k) {  // far positions fill the last pack
       for (int d = 0; d < D; ++d) x_[d].get()[count_ + k] = Real(1e9f);
       index_.get()[count_ + k] = 0;
     }
   }
 
-  /// Writes those nearer than h to target i to `to`, and up to `lanes` ints in all; returns how
-  /// many. Tests come before writes: where a write goes depends on all tests before it, and
-  /// processors hold back reads behind writes to where they do not know.
+  /// Writes the candidates closer than h to target i to `to` and returns their number. It may write
+  /// up to `lanes` ints more. All tests come before all writes: the address of a write depends on
+  /// all tests before it, and processors delay reads after writes to unknown addresses.
   FRESHET_HD int near(const CpuCellGrid<D>& targets, int i, Real h2, int* to) {
     Pack x_i[D];
     const Real* x_j[D];
@@ -99,8 +101,8 @@ template <int D> class Candidates {
   }
 
  private:
-  /// Row by row of the cells around the group; in each the sources are one range. The reach is a
-  /// little longer than h: by more than all rounding, of the test of distance too.
+  /// Searches the rows of cells around the group; in each the sources are one range. The limit is
+  /// larger than h by 5e-5 h, more than the rounding errors, including those of near().
   void search(const Group<D>& group, Real h2, const Source<D>& source) {
     const CpuCellGrid<D>& grid = *source.grid;
     constexpr int around = D == 3 ? 9 : 3;
@@ -121,7 +123,7 @@ template <int D> class Candidates {
         ranges += begin[ranges] < end[ranges];
       }
     }
-    // As many packs for each range as for the longest: loops of one length are well predicted.
+    // Every range takes as many packs as the longest: loops of equal length are well predicted.
     const int packs_each = (longest + lanes - 1) / lanes;
     reserve(ranges * packs_each * lanes);
     Pack low[D], high[D];
@@ -148,7 +150,7 @@ template <int D> class Candidates {
         const unsigned near = bits(r2 < limit) & in_range;
         at[packs] = j;
         mask[packs] = std::uint16_t(near);
-        packs += near != 0;  // stays only if one is near: no branch to mispredict
+        packs += near != 0;  // keeps the pack only if a lane is near, without a branch
       }
     }
     Real* to[D];
@@ -164,7 +166,7 @@ template <int D> class Candidates {
     count_ = m;
   }
 
-  /// Room for `more` candidates.
+  /// Makes room for `more` candidates.
   void reserve(int more) {
     const auto room = std::size_t(count_ + more + 2 * lanes);
     if (index_.size() >= room) return;

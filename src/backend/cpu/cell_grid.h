@@ -17,16 +17,16 @@ inline namespace FRESHET_ISA {
 
 /// Particles in the order of their cells (row-major) and of their ids inside a cell.
 ///
-/// The cells form a torus around what is occupied: a particle far away wraps around into it, where
-/// the test of distance tells it from the near ones. So cells are never more than a few a particle,
-/// and along no axis that wraps so few that a search would meet one twice.
+/// The cells form a torus around the occupied region. A particle far away wraps around into it, and
+/// the distance test separates it from near particles. The number of cells is therefore limited to
+/// a few per particle. An axis that wraps has enough cells that a search visits none twice.
 template <int D> class CpuCellGrid {
  public:
-  /// A row of cells along x: their first number, and how many there are (none outside).
+  /// A row of cells along x: the index of its first cell, and the number of cells (0 outside).
   struct Row {
     int first, cells;
   };
-  /// The row with these coordinates along y and z; c[0] does not count.
+  /// The row with the coordinates of `cell` along y and z; c[0] is ignored.
   FRESHET_HD Row row(const Cell<D>& cell) const {
     int at = 0;
     for (int d = D - 1; d > 0; --d) {
@@ -36,23 +36,23 @@ template <int D> class CpuCellGrid {
     }
     return {at * size_[0], size_[0]};
   }
-  /// Where a cell with this coordinate along x lies in its row: outside of it, maybe, unless rows
-  /// wrap.
+  /// The index in its row of a cell with coordinate x along x. It may be outside the row unless
+  /// rows wrap.
   FRESHET_HD int place_in_row(std::int32_t x) const { return (x - low_[0]) & wrap_[0]; }
   bool rows_wrap() const { return wrap_[0] != -1; }
 
   const Cells<D>& cells() const { return cells_; }
-  /// Sorted place of the first particle of each cell, and behind them their number.
+  /// The sorted index of the first particle of each cell, then the number of particles.
   const int* starts() const { return start_.get(); }
   int begin(int cell) const { return start_.get()[cell]; }
   int end(int cell) const { return start_.get()[cell + 1]; }
-  /// Component d of all positions, sorted; `lanes` more may be read.
+  /// Component d of all sorted positions; `lanes` values after the last may be read.
   const Real* component(int d) const { return x_[d].get(); }
   FRESHET_HD Vec<D> position(int i) const {
     if constexpr (D == 3) return {component(0)[i], component(1)[i], component(2)[i]};
     else return {component(0)[i], component(1)[i]};
   }
-  /// Sorted place -> place before.
+  /// The index before sorting, by sorted index.
   const int* order() const { return order_.get(); }
   int n() const { return n_; }
   int cell_count() const { return cell_count_; }
@@ -65,7 +65,7 @@ template <int D> class CpuCellGrid {
     sort_buckets(threads, p);
   }
 
-  /// Positions and ids in their new order.
+  /// Writes positions and ids in sorted order to p.
   void write(const Threads& threads, const Particles<D>& p) const {
     threads.blocks(n_, [&](int b, int e) {
       for (int i = b; i < e; ++i) {
@@ -78,8 +78,8 @@ template <int D> class CpuCellGrid {
   }
 
  private:
-  /// As large as what is occupied, but at most eight cells a particle: then the longest sides wrap,
-  /// their lengths powers of two.
+  /// Chooses a torus as large as the occupied region, with at most eight cells per particle. If
+  /// there were more, the longest sides wrap, with lengths that are powers of two.
   void choose_torus(const Threads& threads, const Particles<D>& p) {
     const int parts = (n_ + Threads::block - 1) / Threads::block;
     Box* boxes = boxes_.reserve(std::size_t(parts));
@@ -90,7 +90,7 @@ template <int D> class CpuCellGrid {
     });
     Box all;
     for (int k = 0; k < parts; ++k) all.add(boxes[k].low), all.add(boxes[k].high);
-    if (n_ == 0) all.low = all.high = {};  // no place is special
+    if (n_ == 0) all.low = all.high = {};  // any place will do
     const Cell<D> low = cells_(all.low), high = cells_(all.high);
     std::int64_t sides[D];
     for (int d = 0; d < D; ++d) {
@@ -112,11 +112,12 @@ template <int D> class CpuCellGrid {
     cell_count_ = int(cells());
   }
 
-  /// No side gets shorter than 16. What depends on cells has room for so many from the start, so
-  /// that fluid which spreads takes no memory.
+  /// The maximum number of cells. It is large enough that no wrapping side is shorter than 16.
+  /// Arrays over cells have room for this number from the start, so a fluid that spreads allocates
+  /// nothing.
   double most_cells() const { return std::max(16.0 * 16 * 16, 8.0 * n_); }
 
-  /// The torus cell of a position. (A NaN ends at some border.)
+  /// The index of the torus cell of a position. A NaN is mapped to a border cell.
   FRESHET_HD int key(Vec<D> x) const {
     const Cell<D> cell = cells_(x);
     int at = 0;
@@ -133,7 +134,8 @@ template <int D> class CpuCellGrid {
     int key, index;
   };
 
-  /// Each part (one a thread) counts what it has for each bucket, then moves it there.
+  /// Sorts particles into buckets. Each part (one per thread) counts its particles of each bucket,
+  /// then moves them there.
   void part_into_buckets(const Threads& threads, const Particles<D>& p) {
     const int parts = threads.count();
     buckets_ = (cell_count_ + (1 << bucket_bits) - 1) >> bucket_bits;
@@ -193,7 +195,7 @@ template <int D> class CpuCellGrid {
     int* order = order_.get();
     std::uint64_t* id = id_.get();
     for (int k = begin; k < end; ++k) {
-      // Most kept their order since the last step: few go before one that came earlier.
+      // Insertion sort: most particles have kept their order since the last step.
       const int index = items[k].index, c = items[k].key - first_cell;
       const std::uint64_t own = p.id[index];
       int to = next[c]++;
@@ -220,7 +222,7 @@ template <int D> class CpuCellGrid {
         freshet::component(high, d) = -std::numeric_limits<Real>::infinity();
       }
     }
-    FRESHET_HD void add(Vec<D> x) {  // passes over a NaN
+    FRESHET_HD void add(Vec<D> x) {  // ignores a NaN
       low = each(x, low, [](Real a, Real b) { return min(a, b); });
       high = each(x, high, [](Real a, Real b) { return max(a, b); });
     }

@@ -12,8 +12,9 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Threads and SIMD: a lane is a particle. A particle's sum has one order, the reference's,
-/// whatever the threads and the instruction set; so have its bits.
+/// The backend with threads and SIMD, where a lane is a particle. A particle's sum has the order of
+/// the reference backend for any number of threads and any instruction set, so it has the same
+/// bits.
 template <int D> class CpuBackend : public CpuSets<D> {
  public:
   using CpuSets<D>::CpuSets;
@@ -63,7 +64,7 @@ template <int D> class CpuBackend : public CpuSets<D> {
     return fixed.value(total);
   }
 
-  /// The sums of map(i).value by map(i).group, one number a group and component, by fixed point.
+  /// sums[g] = the sum of map(i).value over the particles with map(i).group == g, in fixed point.
   template <class Map, class Sum>
   void sum_groups(const char* name, const Particles<D>& p, int groups, const Map& map, Sum* sums) {
     const auto timer = timings_.time(name, p.n);
@@ -88,8 +89,8 @@ template <int D> class CpuBackend : public CpuSets<D> {
     });
   }
 
-  /// The sources' records, and behind them the far one: the values of the first, so that a term
-  /// computes with sound numbers what its kernel then takes times zero.
+  /// Packs the sources' records, followed by the far particle. It has the values of the first
+  /// source, so that a term computes finite numbers, which its kernel multiplies by zero.
   template <class Term> void pack(const Over<D, Term>& over, Buffer<Real>& records) {
     using Rec = Record<D, typename Term::template Neighbor<Real>>;
     const Particles<D>& sources = over.set;
@@ -146,7 +147,7 @@ template <int D> class CpuBackend : public CpuSets<D> {
     sum = local;
   }
 
-  /// The values of `count` particles, one a lane; the last fills what is left.
+  /// The values of `count` particles, one per lane; the last particle fills the remaining lanes.
   template <class Packed, class F>
   FRESHET_HD static Packed pack_of(int base, int count, const F& value) {
     Packed out;

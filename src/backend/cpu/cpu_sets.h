@@ -21,10 +21,11 @@ template <int D> class CpuSets {
   CpuSets(CpuSets&&) noexcept;
   ~CpuSets();
 
-  /// Numbers the set; its fields follow. The rules define the copies of its particles.
+  /// Adds a set of n particles and sets its index; allocate() adds its fields. The rules define the
+  /// copies of its particles.
   void add_set(Particles<D>& set, int n, typename Copies<D>::Rules rules = {});
-  /// Memory for one T per particle and copy, zeroed. The backend owns it and sorts kept fields.
-  /// `field` must not move: `edit` sets its pointer anew.
+  /// Allocates memory for one T per particle and copy, zeroed. The backend owns it and sorts kept
+  /// fields. `field` must not move, because `edit` changes its pointer.
   template <class T> void allocate(const Particles<D>& set, Keep keep, Field<T>& field) {
     add_field(set, FieldOfSet::of(keep, field));
   }
@@ -34,8 +35,9 @@ template <int D> class CpuSets {
   void save(const char* name, const Particles<D>& p) { copy_kept(name, p, true); }
   void restore(const char* name, const Particles<D>& p) { copy_kept(name, p, false); }
 
-  /// Between steps: removes the particles at the places `gone` (ascending) and appends `more` new
-  /// ones, zeroed. The others keep all fields. Copies and lists are invalid until the next search.
+  /// Between steps: removes the particles with the indices `gone` (ascending) and appends `more`
+  /// new ones, zeroed. The others keep all fields. Copies and lists are invalid until the next
+  /// search.
   void edit(const char* name, Particles<D>& p, std::span<const int> gone, int more);
 
   /// Sorts `moving` and every other set that moves; sorts sets at rest the first time. Then lists
@@ -49,7 +51,7 @@ template <int D> class CpuSets {
   void list_neighbors(const char* name, Real support_radius, const Particles<D>& targets,
                       const Particles<D>& sources);
 
-  /// Copies of particles learn new values of these fields.
+  /// Updates these fields at the copies of particles.
   template <class... Fields> void share(const char*, const Particles<D>& p, Fields... fields) {
     if (p.copies > 0) (share_field(p, fields), ...);
   }
@@ -66,7 +68,7 @@ template <int D> class CpuSets {
     std::vector<Memory> memory;
     CpuCellGrid<D> grid, copy_grid;
     bool sorted = false;
-    std::vector<std::unique_ptr<SlicedLists<D>>> lists;  // by number of the source set
+    std::vector<std::unique_ptr<SlicedLists<D>>> lists;  // by index of the source set
   };
   Set& of(const Particles<D>& p) { return *sets_[std::size_t(p.set)]; }
 

@@ -32,7 +32,7 @@ template <int D> void CpuSets<D>::reserve(const Set& set, Memory& m) {
   const std::size_t room = std::size_t(set.room) * std::size_t(set.copies.room()) + lanes;
   m.field.point(m.field.field, m.data.reserve(room * m.field.bytes));
 }
-/// Zeroes a range. The pages go to the threads that use them.
+/// Zeroes a range in parallel, so that each thread first touches the pages that it will use.
 template <int D> void CpuSets<D>::clear(Memory& m, int begin, int end) {
   threads_.blocks(end - begin, [&](int b, int e) {
     std::memset(m.data.get() + std::size_t(begin + b) * m.field.bytes, 0,
@@ -122,7 +122,7 @@ template <int D> void CpuSets<D>::sort(Real h, const Particles<D>& p) {
     std::byte* data = m.data.get();
     if (m.field.keep != Keep::kept || data == static_cast<void*>(p.x.data) ||
         data == static_cast<void*>(p.id.data))
-      continue;               // the grid writes x and id
+      continue;               // the grid has written x and id
     switch (m.field.bytes) {  // copies of a known size are single moves
       case 4:
         permute<4>(set.grid.order(), p.n, data);
@@ -147,7 +147,7 @@ template <int D> void CpuSets<D>::sort_if_needed(Real h, const Particles<D>& p) 
   if (p.moves || !of(p).sorted) sort(h, p);
 }
 
-/// Copies stand behind the particles, sorted like them.
+/// Creates the copies of a set and sorts them by cell and id. They follow the particles.
 template <int D> void CpuSets<D>::copy(Real h, Particles<D>& p) {
   Set& set = of(p);
   if (set.copies.none()) return;

@@ -9,16 +9,16 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Sliced lists: slice s holds the `lanes` consecutive targets from s * lanes on; entry k of lane l
-/// is index[k * lanes + l]. Short lanes are padded with the far particle, the number behind the
-/// last source.
+/// Sliced neighbour lists. Slice s holds the `lanes` consecutive targets from s * lanes on. Entry k
+/// of lane l is index[k * lanes + l]. Short lanes are padded with the far particle, whose index is
+/// one more than that of the last source.
 template <int D> class SlicedLists {
  public:
   static constexpr int slices_per_chunk = 1024 / lanes;
 
   struct Slice {
     const int* index;
-    int length;  // entries a lane
+    int length;  // entries per lane
   };
   Slice operator[](int s) const {
     const int chunk = s / slices_per_chunk;
@@ -27,8 +27,7 @@ template <int D> class SlicedLists {
   static int slices(int n) { return (n + lanes - 1) / lanes; }
   static int chunks(int n) { return (slices(n) + slices_per_chunk - 1) / slices_per_chunk; }
 
-  /// For every target the sources nearer than h: grid after grid, cell by cell, ascending in a
-  /// cell.
+  /// Lists, for every target, the sources closer than h [m]: by grid, by cell, ascending in a cell.
   void build(const Threads& threads, Real h, const CpuCellGrid<D>& targets,
              std::span<const Source<D>> sources) {
     const int n = targets.n();
@@ -44,7 +43,7 @@ template <int D> class SlicedLists {
   }
 
  private:
-  /// What a thread needs to build a chunk; it grows to what the densest place asks for.
+  /// The memory of a thread that builds a chunk. It grows to the maximum number of candidates.
   struct Worker {
     Candidates<D> candidates;
     Buffer<int> rows;
@@ -68,7 +67,7 @@ template <int D> class SlicedLists {
     }
   }
 
-  /// One row of neighbours a lane, padded to the longest; returns its length.
+  /// Builds one row of neighbours per lane, padded to the longest. Returns the longest length.
   int build_rows(int s, Real h2, const CpuCellGrid<D>& targets, std::span<const Source<D>> sources,
                  Worker& w) {
     int count[lanes] = {};
@@ -82,7 +81,7 @@ template <int D> class SlicedLists {
       first = group.last;
     }
     const int longest = *std::max_element(count, count + lanes);
-    for (int l = 0; l < lanes; ++l) {  // whole packs, mostly one: rows have room to spare
+    for (int l = 0; l < lanes; ++l) {  // pads in whole packs; rows have room for one more
       int k = count[l];
       do fill(w.row_of(l) + k, far_);
       while ((k += lanes) < longest);
@@ -90,7 +89,8 @@ template <int D> class SlicedLists {
     return longest;
   }
 
-  /// Longer rows, the first `used` kept. Rows of 2^n bytes would share cache sets.
+  /// Lengthens the rows and keeps the first `used`. A length of 2^n bytes is avoided, because such
+  /// rows would share cache sets.
   static void widen(Worker& w, int used) {
     const int row = (w.candidates.count() * 3 / 2 + 255) / 256 * 256 + 2 * lanes;
     Buffer<int> wider;
@@ -101,7 +101,7 @@ template <int D> class SlicedLists {
     w.row = row;
   }
 
-  /// Room for `more` entries after the first `used`, which stay.
+  /// Makes room for `more` entries after the first `used`, which are kept.
   static void reserve(Buffer<int>& out, std::size_t used, std::size_t more) {
     if (out.size() >= used + more) return;
     Buffer<int> larger;
@@ -110,7 +110,7 @@ template <int D> class SlicedLists {
     out = std::move(larger);
   }
 
-  std::vector<Buffer<int>> index_;  // one a chunk
+  std::vector<Buffer<int>> index_;  // one per chunk
   std::vector<Worker> workers_;
   Buffer<int> begin_, length_;
   int far_ = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// A pack of lanes, one particle a lane: what a pair term is given as its number type. The
-/// instruction sets differ in this file, in records.h and in append.h, and nowhere else.
+/// A pack of lanes, one particle per lane. It is the number type of pair terms in this backend.
+/// Code for instruction sets is in this file, in records.h and in append.h only.
 #pragma once
 #include <cstring>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// What a pass reads of a neighbour, side by side: its position and its At, 16 or 32 bytes in
-/// float, so that a neighbour costs one cache line. Whole records are loaded and transposed in
-/// registers.
+/// The record of a neighbour that a pass reads: its position and its values, contiguous in memory.
+/// It has 16 or 32 bytes in float, so a neighbour costs one cache line. Whole records are loaded
+/// and transposed in registers.
 #pragma once
 #include <type_traits>
 
@@ -10,7 +10,7 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Converts to any member of an aggregate: how members are counted.
+/// Converts to any type. member_count() uses it to count the members of an aggregate.
 struct AnyMember {
   template <class T> operator T() const;
 };
@@ -19,8 +19,9 @@ template <class T, class... A> constexpr int member_count() {
   else return int(sizeof...(A));
 }
 
-/// Calls f(member) for each member of a flat aggregate of scalars and Vecs. (Stored one by one: a
-/// memcpy of the whole goes over the stack with g++ 12, at four times the cost.)
+/// Calls f(member) for each member of a flat aggregate of scalars and Vecs. Members are stored one
+/// by one: with g++ 12 a memcpy of the whole aggregate goes through the stack, at four times the
+/// cost.
 template <class T, class F> FRESHET_HD void each_member(T& t, const F& f) {
   using Bare = std::remove_const_t<T>;
   if constexpr (!std::is_empty_v<Bare>) {
@@ -65,7 +66,7 @@ template <int D, class Values> struct Record {
   }
 };
 
-/// Position and values of a pack of records, component c of all lanes in lane_of[c].
+/// Position and values of a pack of records; component c of all lanes is in lane_of[c].
 template <int D> FRESHET_HD Vec<D, Pack> position(const Pack* lane_of) {
   if constexpr (D == 3) return {lane_of[0], lane_of[1], lane_of[2]};
   else return {lane_of[0], lane_of[1]};
@@ -93,14 +94,14 @@ FRESHET_HD Floats low_pairs(Floats a, Floats b) {
 FRESHET_HD Floats high_pairs(Floats a, Floats b) {
   return Floats(_mm512_unpackhi_ps(__m512(a), __m512(b)));
 }
-/// Quads of the records k[0], k[4], k[8], k[12], side by side.
+/// The quads of the records k[0], k[4], k[8], k[12] in one register.
 FRESHET_HD Floats quads(const float* p, const int* k, int stride) {
   __m512 t = _mm512_castps128_ps512(_mm_load_ps(p + std::size_t(k[0]) * stride));
   t = _mm512_insertf32x4(t, _mm_load_ps(p + std::size_t(k[4]) * stride), 1);
   t = _mm512_insertf32x4(t, _mm_load_ps(p + std::size_t(k[8]) * stride), 2);
   return Floats(_mm512_insertf32x4(t, _mm_load_ps(p + std::size_t(k[12]) * stride), 3));
 }
-/// Octets of the records k[0] and k[4], side by side.
+/// The octets of the records k[0] and k[4] in one register.
 FRESHET_HD Floats octets(const float* p, const int* k, int stride) {
   return Floats(
       _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_load_ps(p + std::size_t(k[0]) * stride)),
@@ -130,7 +131,7 @@ FRESHET_HD Floats quads(const float* p, const int* k, int stride) {
 }
 #endif
 
-/// The 4 x 4 transpose inside each 128 bits.
+/// The 4 x 4 transpose inside each 128-bit part.
 FRESHET_HD void transpose_quads(const Floats* r, Pack* out) {
   const Floats a = low_pairs(r[0], r[2]), b = low_pairs(r[1], r[3]);
   const Floats c = high_pairs(r[0], r[2]), d = high_pairs(r[1], r[3]);

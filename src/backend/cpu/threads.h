@@ -4,27 +4,28 @@
 
 namespace freshet {
 
-/// Runs loops on a fixed number of threads. What a loop computes must not depend on their number.
+/// Runs loops on a fixed number of threads. The result of a loop must not depend on their number.
 class Threads {
  public:
   explicit Threads(int count) : count_(count) {}
   int count() const { return count_; }
-  /// The number of the calling thread within a loop, 0 to count - 1.
+  /// The index of the calling thread within a loop, 0 to count - 1.
   static int current();
 
-  /// f(part) for part = 0 ... parts - 1, each on some thread. The first exception is rethrown.
+  /// Calls f(part) for part = 0 ... parts - 1, each on some thread. If parts throw, one of the
+  /// exceptions is rethrown at the end.
   template <class F> void parts(int parts, const F& f) const {
     run(parts, &f, [](const void* context, int part) { (*static_cast<const F*>(context))(part); });
   }
 
-  /// f(begin, end) over [0, n), in blocks that do not depend on the number of threads.
+  /// Calls f(begin, end) over [0, n) in blocks that do not depend on the number of threads.
   template <class F> void blocks(int n, const F& f) const {
     parts((n + block - 1) / block, [&](int b) { f(b * block, std::min(n, (b + 1) * block)); });
   }
   static constexpr int block = 2048;
 
  private:
-  /// The loop itself is compiled once: an indirect call per part costs nothing beside the part.
+  /// The loop is compiled once: an indirect call per part is cheap compared with the part.
   void run(int parts, const void* context, void (*part)(const void*, int)) const;
 
   int count_;

@@ -12,7 +12,7 @@ template <class F> __global__ void visit_all(F f, int n) {
   if (i < n) f(i);
 }
 
-/// Adds the term over all j of its set, near or not: kernels are zero beyond their support.
+/// Adds the term over all j of its set, also distant ones: kernels are zero beyond their support.
 template <int D, class Term, class Sum>
 __device__ void add_over_all(const Over<D, Term>& over, Vec<D> x_i, int i, Sum& sum) {
   const auto at_i = over.term.at(i);
@@ -27,7 +27,7 @@ __global__ void sum_over_all(Particles<D> targets, Finish finish, Sum* sums,
   if (i >= targets.n) return;
   Sum sum{};
   (add_over_all(overs, targets.x[i], i, sum), ...);
-  sums[i] = sum;  // finished after all: others see fields as they were
+  sums[i] = sum;  // finish_all runs after all sums, which see the fields before the pass
 }
 template <class Sum, class Finish>
 __global__ void finish_all(Finish finish, const Sum* sums, int n) {
@@ -40,9 +40,9 @@ template <class Map> __global__ void map_all(Map map, double* values, int n) {
   if (i < n) values[i] = double(map(i));
 }
 
-/// The least backend that device code can be compiled against: one thread a particle, candidates
-/// are all particles, no copies. It proves that solvers, pair terms and kernels are device code;
-/// nothing runs on it.
+/// A minimal backend for compiling device code: one thread per particle, all particles are
+/// candidates, no copies. It proves that solvers, pair terms and kernels are device code. No
+/// simulation runs on it.
 template <int D> class AllPairsBackend {
  public:
   template <class... Fixed>

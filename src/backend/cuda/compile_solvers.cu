@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The solvers, and with them pair terms, kernels, walls and integrators, as device code: proof that
-// their one source serves a GPU. Nothing launches this yet.
+// Compiles the solvers, and with them pair terms, kernels, walls and integrators, as device code.
+// It proves that one source serves CPU and GPU. Nothing launches this yet.
 #include "backend/cuda/all_pairs_backend.cuh"
 #include "kernels/cubic_spline.h"
 #include "kernels/wendland.h"

@@ -12,15 +12,15 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Particles sorted by cube, the cubes found by their hash: neighbours in O(N). A cube's side is
-/// the support radius: it is `Cells::split` cells in a row. Memory depends on the number of
-/// particles, never on how far they have flown.
+/// Particles sorted by cube; cubes are found by a hash, so the search is O(N). A cube's side is the
+/// support radius: it consists of `Cells::split` cells in a row. Memory depends on the number of
+/// particles only, not on their distance.
 template <int D> class CellGrid {
  public:
   struct Entry {
     Vec<D> x;
     int index;
-    std::int32_t along_x;  // of its cell
+    std::int32_t along_x;  // coordinate of its cell along x
   };
   /// The particles' indices count from `first`.
   void build(Real support_radius, Field<Vec<D>> x, int n, int first = 0) {
@@ -29,11 +29,10 @@ template <int D> class CellGrid {
     part_into_groups();
   }
 
-  /// visit(entry, candidates) for every particle of this grid. The candidates are the particles of
-  /// `sources`, then of `copies`, in its cube and the cubes around it, cell by cell in row-major
-  /// order (x fastest),
-  /// ascending in a cell; they are gathered once for all particles of a cube, which then walk one
-  /// row of equal length.
+  /// Calls visit(entry, candidates) for every particle of this grid. The candidates are the
+  /// particles of `sources`, then of `copies`, in its cube and the cubes around it. Their order is
+  /// by cell, row-major (x fastest), and ascending in a cell. They are gathered once for all
+  /// particles of a cube.
   template <class Visit>
   void for_each(const CellGrid& sources, const CellGrid& copies, const Visit& visit) {
     for (const Group& group : groups_) {
@@ -63,7 +62,7 @@ template <int D> class CellGrid {
     }
   }
 
-  /// The cube around a cell.
+  /// The cube that contains a cell.
   static Cell<D> cube_of(Cell<D> cell) {
     static_assert(Cells<D>::split == 4);
     cell.c[0] >>= 2;  // rounds down
@@ -92,7 +91,7 @@ template <int D> class CellGrid {
       entries_[cursor_[bucket_of_[i]]++] = {x[i], first + i, cell_of(x[i]).c[0]};
   }
 
-  /// Cubes that share a bucket are told apart; first_ then counts groups instead of entries.
+  /// Separates cubes that share a bucket. Afterwards first_ counts groups instead of entries.
   void part_into_groups() {
     groups_.clear();
     for (std::size_t b = 0; b + 1 < first_.size(); ++b) {

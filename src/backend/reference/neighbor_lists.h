@@ -8,8 +8,8 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// For every target the sources j with |x_ij| < h (itself and copies among them), in one of two
-/// orders, whichever way they were found.
+/// For every target the sources j with |x_ij| < h, including itself and copies. The order is that
+/// of NeighborOrder and does not depend on the search method.
 template <int D> class NeighborLists {
  public:
   struct Row {
@@ -41,7 +41,7 @@ template <int D> class NeighborLists {
     target_grid_.for_each(sources, copy_grid_, [&](const auto& i, const auto& candidates) {
       int* out = start_row(i.index, candidates.size());
       for (const auto& j : candidates) {
-        *out = j.index;  // stays only if j is near: no branch to mispredict
+        *out = j.index;  // kept only if j is near, without a branch
         out += norm2(i.x - j.x) < h2;
       }
       end_row(i.index, out);
@@ -62,8 +62,8 @@ template <int D> class NeighborLists {
       for (int i = 0; i < n; ++i) std::sort(list_.begin() + begin_[i], list_.begin() + end_[i]);
       return;
     }
-    // Who neighbours me is my neighbour: handing each j in turn to its neighbours leaves every row
-    // in ascending order, without a comparison.
+    // The relation is symmetric: appending each j in turn to the rows of its neighbours gives every
+    // row in ascending order, without a comparison.
     sorted_.resize(size_);
     cursor_ = begin_;
     for (int j = 0; j < n; ++j)
@@ -71,7 +71,7 @@ template <int D> class NeighborLists {
     list_.swap(sorted_);
   }
 
-  /// Row-major order of cells, then index, copies after all others, as the grid visits them.
+  /// Sorts by cell in row-major order, then by index, copies last: the order of CellGrid::for_each.
   void sort_by_cell(int targets, const Particles<D>& sources) {
     for (int i = 0; i < targets; ++i)
       std::sort(list_.begin() + begin_[i], list_.begin() + end_[i], [&](int a, int b) {
@@ -94,7 +94,7 @@ template <int D> class NeighborLists {
   CellGrid<D> target_grid_, source_grid_, copy_grid_;
   std::vector<int> list_, sorted_;
   std::vector<std::ptrdiff_t> begin_, end_, cursor_;
-  std::size_t size_ = 0;  // of list_, which keeps room to spare
+  std::size_t size_ = 0;  // entries used in list_, which may be longer
 };
 
 }  // namespace FRESHET_ISA

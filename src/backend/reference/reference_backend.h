@@ -11,8 +11,8 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The truth that every other backend is tested against: scalar, one thread, neighbours in one
-/// order. Particles stay in the order of their ids.
+/// The reference for tests of every other backend: scalar, one thread, neighbours in a fixed order.
+/// Particles stay in the order of their ids.
 template <int D> class ReferenceBackend : public ReferenceSets<D> {
  public:
   using ReferenceSets<D>::ReferenceSets;
@@ -45,7 +45,7 @@ template <int D> class ReferenceBackend : public ReferenceSets<D> {
     return fixed.value(total);
   }
 
-  /// The sums of map(i).value by map(i).group, one number a group and component, by fixed point.
+  /// sums[g] = the sum of map(i).value over the particles with map(i).group == g, in fixed point.
   template <class Map, class Sum>
   void sum_groups(const char* name, const Particles<D>& p, int groups, const Map& map, Sum* sums) {
     const auto timer = timings_.time(name, p.n);
@@ -64,7 +64,7 @@ template <int D> class ReferenceBackend : public ReferenceSets<D> {
     std::fill_n(sums, targets.n, Sum{});
     add(targets, first, sums);
     (add(targets, more, sums), ...);
-    for (int i = 0; i < targets.n; ++i) finish(i, sums[i]);  // after all sums: they see old fields
+    for (int i = 0; i < targets.n; ++i) finish(i, sums[i]);  // after all sums, which see old fields
   }
 
   template <class Term, class Sum>

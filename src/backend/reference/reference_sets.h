@@ -23,10 +23,11 @@ template <int D> class ReferenceSets {
   ReferenceSets(ReferenceSets&&) noexcept;
   ~ReferenceSets();
 
-  /// Numbers the set; its fields follow. The rules define the copies of its particles.
+  /// Adds a set of n particles and sets its index; allocate() adds its fields. The rules define the
+  /// copies of its particles.
   void add_set(Particles<D>& set, int n, typename Copies<D>::Rules rules = {});
-  /// Memory for one T per particle and copy, zeroed; the backend owns it. `field` must not move:
-  /// `edit` sets its pointer anew.
+  /// Allocates memory for one T per particle and copy, zeroed. The backend owns it. `field` must
+  /// not move, because `edit` changes its pointer.
   template <class T> void allocate(const Particles<D>& set, Keep keep, Field<T>& field) {
     add_field(set, FieldOfSet::of(keep, field));
   }
@@ -35,8 +36,9 @@ template <int D> class ReferenceSets {
   /// Copies the kept fields, for a step that may be rolled back.
   void save(const char* name, const Particles<D>& p);
   void restore(const char* name, const Particles<D>& p);
-  /// Between steps: removes the particles at the places `gone` (ascending) and appends `more` new
-  /// ones, zeroed. The others keep all fields. Copies and lists are invalid until the next search.
+  /// Between steps: removes the particles with the indices `gone` (ascending) and appends `more`
+  /// new ones, zeroed. The others keep all fields. Copies and lists are invalid until the next
+  /// search.
   void edit(const char* name, Particles<D>& p, std::span<const int> gone, int more);
 
   /// Lists the neighbours of each particle of `moving` in every set.
@@ -50,7 +52,7 @@ template <int D> class ReferenceSets {
   void list_neighbors(const char* name, Real support_radius, const Particles<D>& targets,
                       const Particles<D>& sources);
 
-  /// Copies of particles learn new values of these fields.
+  /// Updates these fields at the copies of particles.
   template <class... Fields> void share(const char*, const Particles<D>& p, Fields... fields) {
     if (p.copies == 0) return;
     const auto timer = timings_.time("share", p.copies);
