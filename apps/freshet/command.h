@@ -54,6 +54,8 @@ std::vector<std::filesystem::path> folders_that_come_along(const std::string& na
 /// The scenes that come along, by name.
 std::vector<std::pair<std::string, std::filesystem::path>> scenes_that_come_along();
 
+/// The options and overrides of a diagnostic as the command line spells them.
+Diagnostic in_command_line_words(Diagnostic diagnostic);
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics);
 
 }  // namespace freshet::cli

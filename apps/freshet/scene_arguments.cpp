@@ -80,8 +80,29 @@ fs::path find_scene(const std::string& name) {
                   known));
 }
 
+namespace {
+
+/// "--set time.end=..." for "time.end", "--output" for "output".
+std::string command_line_of(const std::string& option) {
+  return option.find('.') == std::string::npos ? "--" + option : "--set " + option + "=...";
+}
+
+}  // namespace
+
+Diagnostic in_command_line_words(Diagnostic d) {
+  if (d.place.starts_with("override ")) d.place.replace(0, 9, "--set ");
+  if (d.place.starts_with("option ")) d.place.replace(0, 7, "--");
+  for (const std::string& option : d.options) {
+    const std::string quoted = "`" + option + "`";
+    for (std::size_t at; (at = d.message.find(quoted)) != std::string::npos;)
+      d.message.replace(at, quoted.size(), command_line_of(option));
+  }
+  return d;
+}
+
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics) {
-  for (const Diagnostic& d : diagnostics) fmt::print(stderr, "{}\n", d.text());
+  for (const Diagnostic& d : diagnostics)
+    fmt::print(stderr, "{}\n", in_command_line_words(d).text());
 }
 
 }  // namespace freshet::cli

@@ -10,8 +10,13 @@ namespace freshet {
 struct Diagnostic {
   enum class Severity { error, warning };
   Severity severity = Severity::error;
-  std::string place;    ///< "FILE:LINE:COLUMN", "--set KEY", a path, or empty
+  /// "FILE:LINE:COLUMN", a path, "override KEY" (of an Override), "option NAME VALUE" (a member
+  /// of the options of the call), or empty.
+  std::string place;
   std::string message;  ///< what is wrong, what is allowed, the remedy
+  /// The members of the call's options, and the keys to override, that the message names in back
+  /// quotes. A program can print its own words for them.
+  std::vector<std::string> options = {};
 
   /// "PLACE: error: MESSAGE" or "PLACE: warning: MESSAGE"; without "PLACE: " if `place` is empty.
   std::string text() const;
@@ -25,7 +30,7 @@ class Error : public std::runtime_error {
   enum class Kind { scene, run };
 
   Error(Kind kind, std::vector<Diagnostic> diagnostics);
-  Error(Kind kind, std::string place, std::string message);
+  Error(Kind kind, std::string place, std::string message, std::vector<std::string> options = {});
 
   Kind kind() const { return kind_; }
   const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }

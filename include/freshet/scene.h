@@ -274,7 +274,7 @@ struct Scene {
 
   /// The TOML text of this scene, overrides included; empty for a scene made in code.
   std::string source;
-  /// The place of each key that is set: "fluid[0].count" -> "FILE:LINE:COLUMN" or "--set KEY".
+  /// The place of each key that is set: "fluid[0].count" -> "FILE:LINE:COLUMN" or "override KEY".
   std::map<std::string, std::string> places;
 
   int dimension() const { return int(domain.max.size()); }  ///< 2 or 3
@@ -315,7 +315,7 @@ struct Scene {
   std::string body_name(std::size_t k) const;
 };
 
-/// KEY and VALUE of `--set KEY=VALUE`. VALUE is parsed as TOML; if that fails, it is a string.
+/// A key and the value that replaces the scene's. The value is parsed as TOML; if that fails, it is a string.
 using Override = std::pair<std::string, std::string>;
 
 /// Loads and checks a scene.

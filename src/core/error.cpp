@@ -20,7 +20,8 @@ std::string Diagnostic::text() const {
 Error::Error(Kind kind, std::vector<Diagnostic> diagnostics)
     : std::runtime_error(join(diagnostics)), kind_(kind), diagnostics_(std::move(diagnostics)) {}
 
-Error::Error(Kind kind, std::string place, std::string message)
-    : Error(kind, {{Diagnostic::Severity::error, std::move(place), std::move(message)}}) {}
+Error::Error(Kind kind, std::string place, std::string message, std::vector<std::string> options)
+    : Error(kind, {{Diagnostic::Severity::error, std::move(place), std::move(message),
+                    std::move(options)}}) {}
 
 }  // namespace freshet

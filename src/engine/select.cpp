@@ -70,7 +70,7 @@ InstructionSet choose(const std::string& isa) {
     if (isa.empty() || isa == set.name) return set;
     names += (names.empty() ? "" : ", ") + set.name;
   }
-  throw Error(Error::Kind::scene, isa.empty() ? "--backend cpu" : "--isa " + isa,
+  throw Error(Error::Kind::scene, isa.empty() ? "option backend cpu" : "option isa " + isa,
               names.empty() ? "this machine has no instruction set that was compiled; take the "
                               "reference backend"
                             : fmt::format("this machine (or this build) does not have it; it has "

@@ -17,18 +17,18 @@ std::string remedy(int reason) {
   switch (reason) {
     case ENOSPC:
     case EDQUOT:
-      return "make room on that disk or choose another --output";
+      return "make room on that disk or choose another `output`";
     case EFBIG:
       return "the limit on file sizes (ulimit -f) is too low";
     case EACCES:
     case EPERM:
     case EROFS:
-      return "choose an --output that you may write to";
+      return "choose an `output` that you may write to";
     case ENOTDIR:
     case EEXIST:
-      return "a file stands where a folder must be; choose another --output";
+      return "a file stands where a folder must be; choose another `output`";
     default:
-      return "choose another --output";
+      return "choose another `output`";
   }
 }
 
@@ -69,7 +69,8 @@ class Temporary : public Descriptor {
 
 void fail_file(const std::filesystem::path& path, const std::string& operation, int reason) {
   throw Error(Error::Kind::run, path.string(),
-              fmt::format("cannot {}: {}; {}", operation, std::strerror(reason), remedy(reason)));
+              fmt::format("cannot {}: {}; {}", operation, std::strerror(reason), remedy(reason)),
+              {"output"});
 }
 
 void write_file(const std::filesystem::path& file, std::string_view bytes) {

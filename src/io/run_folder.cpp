@@ -34,7 +34,8 @@ Manifest read_manifest(const fs::path& manifest) {
   const Json json = Json::parse(std::ifstream(manifest), nullptr, false);
   const auto refuse = [&] {
     throw Error(Error::Kind::scene, manifest.string(),
-                "not a manifest of Freshet; remove the folder by hand or choose another --output");
+                "not a manifest of Freshet; remove the folder by hand or choose another `output`",
+                {"output"});
   };
   if (!json.is_object() || !json.contains("files") || !json["files"].is_array()) refuse();
   if (json.contains("state") && json["state"].is_string()) m.state = json["state"];
@@ -74,7 +75,8 @@ FolderLock::FolderLock(fs::path folder) : folder_(std::move(folder)) {
   if (::flock(fd_, LOCK_EX | LOCK_NB) == 0) return;
   ::close(fd_);
   throw Error(Error::Kind::scene, folder_.string(),
-              "another run is writing into this folder; wait for it or choose another --output");
+              "another run is writing into this folder; wait for it or choose another `output`",
+              {"output"});
 }
 
 FolderLock::~FolderLock() {
@@ -102,16 +104,17 @@ void RunFolder::clear(Take take) {
   if (fs::exists(manifest)) {
     if (take == Take::empty)
       throw Error(Error::Kind::scene, path().string(),
-                  "this folder holds a run; --overwrite replaces it (only the files that its "
-                  "manifest.json names), `freshet resume` goes on with it; or choose another "
-                  "--output");
+                  "this folder holds a run; `overwrite` replaces it (only the files that its "
+                  "manifest.json names), resume it, or choose another `output`",
+                  {"overwrite", "output"});
     old = read_manifest(manifest);
   }
   for (const std::string& file : planned_)
     if (fs::exists(path() / file) && !old.files.contains(file))
       throw Error(Error::Kind::scene, (path() / file).string(),
                   "this file was not written by a run, and the run would replace it; move it or "
-                  "choose another --output");
+                  "choose another `output`",
+                  {"output"});
   std::error_code ignored;  // a missing file of the manifest is no error
   for (const std::string& file : old.files) {
     fs::remove(path() / (file + ".part"), ignored);

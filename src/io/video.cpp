@@ -51,12 +51,12 @@ std::vector<std::string> arguments(const std::filesystem::path& to, bool gif, in
 
 void Video::check(const std::filesystem::path& file, bool overwrite) {
   const auto refuse = [&](const std::string& why) {
-    throw Error(Error::Kind::scene, "--video " + file.string(), why);
+    throw Error(Error::Kind::scene, "option video " + file.string(), why, {"overwrite"});
   };
   if (file.extension() != ".gif" && file.extension() != ".mp4")
     refuse("the name must end in .mp4 or .gif");
   if (std::filesystem::exists(file) && !overwrite)
-    refuse("this file exists; --overwrite replaces it");
+    refuse("this file exists; `overwrite` replaces it");
   if (!in_path("ffmpeg"))
     refuse("needs ffmpeg, which is not installed; on Debian: sudo apt-get install ffmpeg");
 }

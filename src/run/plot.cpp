@@ -23,8 +23,9 @@ namespace fs = std::filesystem;
 constexpr Series::Style styles[] = {Series::Style::solid, Series::Style::dashed,
                                     Series::Style::dotted, Series::Style::dash_dot};
 
-[[noreturn]] void refuse(const std::string& place, const std::string& why) {
-  throw Error(Error::Kind::scene, place, why);
+[[noreturn]] void refuse(const std::string& place, const std::string& why,
+                         std::vector<std::string> options = {}) {
+  throw Error(Error::Kind::scene, place, why, std::move(options));
 }
 
 /// A run as it is drawn: its numbers, and the style of its lines.
@@ -214,7 +215,7 @@ std::set<std::string, std::less<>> drawable(const Table& table) {
 [[noreturn]] void refuse_column(const std::string& typed, const Run& run) {
   const auto names = drawable(run.table);
   const std::string near = nearest(typed, names);
-  refuse("--columns",
+  refuse("option columns",
          fmt::format("no column \"{}\" of numbers in {}/observables.csv; {}there are "
                      "{}",
                      typed, run.name, near.empty() ? "" : fmt::format("did you mean {}? ", near),
@@ -260,9 +261,10 @@ void make_folder(const fs::path& folder) {
 
 std::vector<fs::path> plot(const PlotOptions& options) {
   if (options.against.size() + 1 > std::size(styles))
-    refuse("--against", fmt::format("{} runs, and more than {} cannot be told apart; draw some of "
-                                    "them",
-                                    options.against.size(), std::size(styles) - 1));
+    refuse("option against",
+           fmt::format("{} runs, and more than {} cannot be told apart; draw some of "
+                       "them",
+                       options.against.size(), std::size(styles) - 1));
   const std::vector<fs::path> files = files_of(options);
   std::vector<Run> runs{read_run(options.run, 0)};
   for (const fs::path& folder : options.against) runs.push_back(read_run(folder, runs.size()));
@@ -273,7 +275,8 @@ std::vector<fs::path> plot(const PlotOptions& options) {
   chart.panels = options.columns.empty() ? usual_panels(runs) : panels_of(options.columns, runs);
   if (chart.panels.empty())
     refuse((options.run / "observables.csv").string(),
-           "none of the columns that every run has; name those to draw with --columns");
+           "none of the columns that every run has; name those to draw with `columns`",
+           {"columns"});
   for (const fs::path& file : files) {
     make_folder(file.parent_path());
     write_file(file, file.extension() == ".svg" ? chart_svg(chart) : chart_png(chart));

@@ -28,7 +28,7 @@ Scene scene_of(const RenderOptions& options) {
   for (const auto& [key, value] : options.overrides)
     if (!key.starts_with("picture.") && !key.starts_with("camera.") && !key.starts_with("camera["))
       throw Error(
-          Error::Kind::scene, "--set " + key,
+          Error::Kind::scene, "override " + key,
           "the run is over: only keys of [picture] and [camera] can change now; run the scene "
           "again for others");
   const fs::path file = options.run / "scene.toml";
@@ -47,7 +47,8 @@ void check_output(const RenderOptions& options, const fs::path& folder, std::siz
     if (fs::exists(picture_name(folder, k)))
       throw Error(
           Error::Kind::scene, folder.string(),
-          "this folder holds pictures; --overwrite replaces them, or choose another --output");
+          "this folder holds pictures; `overwrite` replaces them, or choose another `output`",
+          {"overwrite", "output"});
   if (options.video) Video::check(options.video->file, options.overwrite);
 }
 

@@ -118,10 +118,10 @@ Report run(const Scene& scene, const RunOptions& options) {
 Report resume(const ResumeOptions& options) {
   for (const auto& [key, value] : options.overrides)
     if (!may_change(key))
-      throw Error(Error::Kind::scene, "--set " + key,
+      throw Error(Error::Kind::scene, "override " + key,
                   "this changes what has been simulated; a run that goes on takes time.end and "
-                  "the keys of output, picture, camera and checks; for another simulation, "
-                  "`freshet run` its scene.toml");
+                  "the keys of output, picture, camera and checks; for another simulation, run "
+                  "its scene.toml");
   FolderLock lock(options.folder);
   RunCheckpoint checkpoint = newest_checkpoint(options);
   const Scene scene =
@@ -129,9 +129,10 @@ Report resume(const ResumeOptions& options) {
   Simulation sim(scene, options.execution);
   sim.restore(checkpoint);
   if (sim.finished() && fs::exists(options.folder / "report.json"))
-    throw Error(Error::Kind::scene, options.folder.string(),
-                fmt::format("this run has reached its end, {:g} s; --set time.end=... prolongs it",
-                            scene.time.end));
+    throw Error(
+        Error::Kind::scene, options.folder.string(),
+        fmt::format("this run has reached its end, {:g} s; `time.end` prolongs it", scene.time.end),
+        {"time.end"});
   Observer observer(sim, options, std::move(lock), std::move(checkpoint.run));
   return run_observed(sim, observer, options.after_step);
 }

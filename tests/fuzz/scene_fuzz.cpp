@@ -45,7 +45,7 @@ void check_error(const freshet::Error& e, bool overridden) {
     const bool in_points =
         d.place.find(".csv") != std::string::npos || d.place.find(".ply") != std::string::npos;
     require(
-        d.place.starts_with("fuzz") || in_points || (overridden && d.place.starts_with("--set ")),
+        d.place.starts_with("fuzz") || in_points || (overridden && d.place.starts_with("override ")),
         "the diagnostic does not name a file or a key", d.text());
   }
 }

@@ -13,7 +13,7 @@ namespace freshet {
 namespace {
 
 [[noreturn]] void fail(const std::string& key, const std::string& message) {
-  throw Error(Error::Kind::scene, "--set " + key, message);
+  throw Error(Error::Kind::scene, "override " + key, message);
 }
 
 /// "fluid[2]" -> {"fluid", 2}; -1 without a count.
@@ -105,7 +105,7 @@ std::map<std::string, std::string> apply_overrides(toml::table& root,
     put(*table, name,
         parsed.size() == 1 ? *parsed.get("value")
                            : static_cast<const toml::node&>(toml::value{value}));
-    where[path + name] = "--set " + key;
+    where[path + name] = "override " + key;
   }
   return where;
 }
