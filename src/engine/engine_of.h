@@ -10,6 +10,7 @@
 #include "engine/body_force.h"
 #include "engine/carried_bodies.h"
 #include "engine/engine.h"
+#include "engine/engine_backend.h"
 #include "engine/stepper.h"
 #include "engine/store.h"
 #include "engine/wall_forces_impl.h"
@@ -17,7 +18,7 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-template <int D, class B> class EngineOf final : public Engine {
+template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
  public:
   EngineOf(B backend, std::unique_ptr<Stepper<D, B>> stepper, const EnginePlan& p)
       : stepper_(std::move(stepper)),

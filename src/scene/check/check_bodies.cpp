@@ -41,7 +41,7 @@ bool check_solver(const Scene& s, Findings& out) {
     out.error("solver.viscosity_method",
               fmt::format("there are bodies, which feel the viscosity \"{}\" of {} only; choose "
                           "that, or remove the bodies",
-                          viscosity_words[int(felt)], s.method().name));
+                          force_words("solver.viscosity_method")[std::size_t(felt)], s.method().name));
     return false;
   }
   if (s.solver.surface_tension_method != SurfaceTensionMethod::none) {

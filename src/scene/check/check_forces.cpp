@@ -1,10 +1,52 @@
 // SPDX-License-Identifier: MIT
 /// The forces beside pressure: viscosity, surface tension, vorticity, air.
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+
+#include "freshet/force_method.h"
 #include "scene/check/findings.h"
 #include "scene/keys/keys.h"
 
 namespace freshet {
 namespace {
+
+/// The force that a key chooses.
+const ForceMethod& chosen(const Scene& s, std::string_view key) {
+  const int place = key == "solver.viscosity_method"         ? int(s.viscosity_method())
+                    : key == "solver.surface_tension_method" ? int(s.solver.surface_tension_method)
+                    : key == "solver.shifting_method"        ? int(s.solver.shifting_method)
+                    : key == "solver.vorticity_method"       ? int(s.solver.vorticity_method)
+                                                             : int(s.air.drag);
+  const auto first = std::find_if(force_methods().begin(), force_methods().end(),
+                                  [&](const ForceMethod& m) { return m.key == key; });
+  return first[place];
+}
+
+bool reads(const ForceMethod& m, std::string_view key) {
+  return std::find(m.reads.begin(), m.reads.end(), key) != m.reads.end();
+}
+
+/// Keys that none of the chosen forces reads.
+void check_keys_of_forces(const Scene& s, Findings& out) {
+  std::map<std::string_view, std::vector<const ForceMethod*>> readers;
+  for (const ForceMethod& m : force_methods())
+    for (const std::string_view key : m.reads) readers[key].push_back(&m);
+  for (const auto& [key, methods] : readers) {
+    const auto acts = [&, k = key](const ForceMethod* m) { return reads(chosen(s, m->key), k); };
+    if (std::any_of(methods.begin(), methods.end(), acts)) continue;
+    std::vector<std::string> choices;
+    for (const ForceMethod* m : methods)
+      choices.push_back(fmt::format("{} = \"{}\"", m->key, m->name));
+    const std::string remedy = fmt::format("remove it, or choose {}", fmt::join(choices, " or "));
+    const std::string name(key);
+    if (!key.starts_with("fluid.")) out.unused(name, name, remedy);
+    else
+      for (std::size_t k = 0; k < s.fluid.size(); ++k)
+        out.unused(fmt::format("fluid[{}].{}", k, name.substr(6)), name, remedy);
+  }
+}
 
 void check_has_none(const Scene& s, Findings& out) {
   const auto none = [&](bool asked, const char* key) {
@@ -30,11 +72,6 @@ void check_viscosity(const Scene& s, Findings& out) {
                     "solver.name is \"{}\"; choose \"monaghan2005\", \"morris1997\" or "
                     "\"weiler2018\"",
                     s.method().name));
-  if (method == ViscosityMethod::weiler2018) return;
-  for (const char* key : {"solver.viscosity_tolerance", "solver.viscosity_max_iterations"})
-    out.unused(key, key,
-               "only weiler2018 iterates; remove it, or choose solver.viscosity_method = "
-               "\"weiler2018\"");
 }
 
 void check_surface(const Scene& s, Findings& out) {
@@ -51,18 +88,11 @@ void check_surface(const Scene& s, Findings& out) {
       out.error(at + "surface_tension",
                 fmt::format("solver.surface_tension_method = \"{}\" needs fluid.surface_tension "
                             "(N/m); water's is 0.0728",
-                            tension_words[int(method)]));
+                            force_words("solver.surface_tension_method")[std::size_t(method)]));
     else if (flattens && !s.fluid[k].surface_tension)
       out.error(at + "surface_tension",
                 "air.drag = \"gissler2017\" needs fluid.surface_tension (N/m), by which drops "
                 "flatten in the wind; water's is 0.0728");
-    if (!acts && !flattens)
-      out.unused(at + "surface_tension", "fluid.surface_tension",
-                 "solver.surface_tension_method is \"none\"; choose \"morris2000\", or remove it");
-    if (method != SurfaceTensionMethod::akinci2013)
-      out.unused(at + "adhesion", "fluid.adhesion",
-                 "only akinci2013 knows adhesion; remove it, or choose "
-                 "solver.surface_tension_method = \"akinci2013\"");
     const Scene::Fluid &a = s.fluid[0], &b = s.fluid[k];
     for (const auto& [key, differs] :
          {std::pair("surface_tension", a.surface_tension != b.surface_tension),
@@ -114,12 +144,7 @@ void check_adhesion(const Scene& s, Findings& out) {
 
 void check_vorticity(const Scene& s, Findings& out) {
   const bool spins = s.solver.vorticity_method != VorticityMethod::none;
-  if (!spins) {
-    for (const char* key : {"solver.vorticity_transfer", "solver.vorticity_inertia"})
-      out.unused(key, key,
-                 "solver.vorticity_method is \"none\"; remove it, or choose \"bender2017\"");
-    return;
-  }
+  if (!spins) return;
   if (!s.solver.vorticity_transfer)
     out.error("solver.vorticity_method",
               "solver.vorticity_method = \"bender2017\" needs solver.vorticity_transfer (m²/s); "
@@ -151,8 +176,6 @@ void check_air(const Scene& s, Findings& out) {
                                     k));
     return;
   }
-  for (const char* key : {"air.velocity", "air.density", "air.viscosity"})
-    out.unused(key, key, "air.drag is \"none\"; remove it, or choose \"gissler2017\"");
 }
 
 }  // namespace
@@ -160,6 +183,7 @@ void check_air(const Scene& s, Findings& out) {
 void check_forces(const Scene& s, Findings& out) {
   if (!s.method().has_boundary_particles()) check_has_none(s, out);
   else check_viscosity(s, out);
+  check_keys_of_forces(s, out);
   check_surface(s, out);
   check_surface_at_walls(s, out);
   check_adhesion(s, out);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "scene/keys/keys.h"
 
+#include <map>
+#include <vector>
+
+#include "freshet/force_method.h"
 #include "scene/keys/keys_bodies.h"
 #include "scene/keys/keys_forces.h"
 #include "scene/keys/keys_inlets.h"
@@ -256,6 +260,15 @@ Words solver_words() {
     return list;
   }();
   return names;
+}
+
+Words force_words(std::string_view key) {
+  static const std::map<std::string_view, std::vector<const char*>> names = [] {
+    std::map<std::string_view, std::vector<const char*>> lists;
+    for (const ForceMethod& m : force_methods()) lists[m.key].push_back(m.name);
+    return lists;
+  }();
+  return names.at(key);
 }
 
 void visit_keys(KeyVisitor& v, Scene& s) {

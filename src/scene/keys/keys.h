@@ -39,12 +39,6 @@ inline constexpr const char* backend_words[] = {"cpu", "reference"};
 inline constexpr const char* search_words[] = {"grid", "all_pairs"};
 inline constexpr const char* order_words[] = {"cell", "id"};
 inline constexpr const char* iteration_words[] = {"jacobi", "nesterov"};
-inline constexpr const char* viscosity_words[] = {"artificial", "monaghan2005", "morris1997",
-                                                  "weiler2018"};
-inline constexpr const char* tension_words[] = {"none", "akinci2013", "morris2000"};
-inline constexpr const char* shifting_words[] = {"none", "lind2012", "adami2013", "sun2017"};
-inline constexpr const char* vorticity_words[] = {"none", "bender2017"};
-inline constexpr const char* drag_words[] = {"none", "gissler2017"};
 inline constexpr const char* wrong_words[] = {"stop", "warn"};
 inline constexpr const char* method_words[] = {"open",  "reflection", "monaghan2009",
                                                "ghost", "akinci2012", "adami2012"};
@@ -131,6 +125,8 @@ class KeyVisitor {
 
 /// The names of the solvers, in the order of SolverName.
 Words solver_words();
+/// The names of the forces that a key chooses among, in the order of its enum.
+Words force_words(std::string_view key);
 
 void visit_keys(KeyVisitor& visitor, Scene& scene);
 

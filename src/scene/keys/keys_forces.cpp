@@ -20,7 +20,7 @@ void fluid_force_keys(KeyVisitor& v, Scene::Fluid& f) {
 
 void solver_force_keys(KeyVisitor& v, Scene::Solver& s) {
   v.choice(
-      "viscosity_method", s.viscosity_method, viscosity_words,
+      "viscosity_method", s.viscosity_method, force_words("solver.viscosity_method"),
       {.unit = "",
        .text = "viscosity; `artificial` only for `wcsph` and `delta_sph`; not for `mueller2003`",
        .fallback = "`artificial` for `wcsph` and `delta_sph`, else `monaghan2005`"});
@@ -36,13 +36,14 @@ void solver_force_keys(KeyVisitor& v, Scene::Solver& s) {
              .text = "maximum number of iterations of `weiler2018` per step",
              .min = 1,
              .max = 1e6});
-  v.choice("surface_tension_method", s.surface_tension_method, tension_words,
+  v.choice("surface_tension_method", s.surface_tension_method,
+           force_words("solver.surface_tension_method"),
            {.unit = "", .text = "surface tension; not for `mueller2003`"});
-  v.choice("shifting_method", s.shifting_method, shifting_words,
+  v.choice("shifting_method", s.shifting_method, force_words("solver.shifting_method"),
            {.unit = "",
             .text = "shifts particles away from crowded places, for flows that fill their space; "
                     "not for `mueller2003`"});
-  v.choice("vorticity_method", s.vorticity_method, vorticity_words,
+  v.choice("vorticity_method", s.vorticity_method, force_words("solver.vorticity_method"),
            {.unit = "",
             .text = "`bender2017`: particles spin, and return to the flow the rotation that eddies "
                     "lose; not for `mueller2003`"});
@@ -62,7 +63,7 @@ void solver_force_keys(KeyVisitor& v, Scene::Solver& s) {
 
 void air_keys(KeyVisitor& v, Scene::Air& a) {
   v.choice(
-      "drag", a.drag, drag_words,
+      "drag", a.drag, force_words("air.drag"),
       {.unit = "",
        .text =
            "`gissler2017`: air slows single drops and pushes the surface; not for `mueller2003`"});
