@@ -64,7 +64,7 @@ TEST_F(Render, AppliesPictureSettings) {
 TEST_F(Render, RejectsOtherAndInvalidSettings) {
   expect_refused(render({"--set", "time.end=3"}), "--set time.end: error: the run is over");
   expect_refused(render({"--set", "picture.color_by=heat"}), "picture.color_by is the string");
-  expect_refused(render({"--set", "camera.orbit=3"}), "a camera is of scenes in 3D");
+  expect_refused(render({"--set", "camera.orbit=3"}), "a camera needs a scene in 3D");
   EXPECT_FALSE(fs::exists(run / "pictures"));
 }
 

@@ -82,7 +82,7 @@ TEST(Vtp, OfAnotherKindIsRejectedWithARemedy) {
             refused("<VTKFile type=\"PolyData\">\n  <PolyData>"));
   EXPECT_EQ("a.vtp: error: the file ends inside a tag; it is cut off",
             refused("<VTKFile><AppendedData encoding"));
-  EXPECT_EQ("a.vtp: error: there is no point in it; is it the right file?",
+  EXPECT_EQ("a.vtp: error: the file has no points; is it the right file?",
             refused("<VTKFile type=\"PolyData\"/>"));
 }
 
@@ -113,7 +113,7 @@ TEST(Vtp, JoinsPiecesAndSkipsEmptyOnes) {
 
 TEST(Vtp, In2DMustHaveAHeightOfZero) {
   EXPECT_EQ((std::vector<double>{1, 2}), read(file_of(points_of(ascii, "1 2 0")), 2).x);
-  EXPECT_EQ("a.vtp: error: z is 3, and the scene is in 2D; make it 0, or give domain.max a z",
+  EXPECT_EQ("a.vtp: error: z is 3, and the scene is in 2D; make it 0, or add z to domain.max",
             refused(file_of(points_of(ascii, "1 2 3")), 2));
 }
 

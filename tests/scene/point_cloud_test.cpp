@@ -80,7 +80,7 @@ TEST_F(PointFile, ReadsCsvOfParaView) {
   EXPECT_EQ((std::vector<double>{1, 2, 3}), cloud.v);
   EXPECT_EQ("b.csv:1: error: x is named twice; name every column once",
             refused("b.csv", "x,Points:0\n"));
-  EXPECT_EQ("c.csv:1: error: there is no x; a 2D scene takes x, y and perhaps vx, vy",
+  EXPECT_EQ("c.csv:1: error: x is missing; a 2D scene needs x, y and optionally vx, vy",
             refused("c.csv", "Points:3,Points:1\n", 2));
 }
 
@@ -104,17 +104,18 @@ TEST_F(PointFile, ReportsPlaceAndRemedy) {
       refused("a.csv", "x,y\n1,2\n1,two\n", 2));
   EXPECT_EQ("a.csv:2: error: 3 values, and the first line names 2; give every point all",
             refused("a.csv", "x,y\n1,2,3\n", 2));
-  EXPECT_EQ("a.csv:1: error: there is no z; a 3D scene takes x, y, z and perhaps vx, vy, vz",
+  EXPECT_EQ("a.csv:1: error: z is missing; a 3D scene needs x, y, z and optionally vx, vy, vz",
             refused("a.csv", "x,y\n1,2\n"));
-  EXPECT_EQ("a.csv:1: error: there is no vy, but another velocity; give all 2 or none",
+  EXPECT_EQ("a.csv:1: error: vy is missing, and another velocity is present; write all 2 or none",
             refused("a.csv", "x,y,vx\n1,2,3\n", 2));
   EXPECT_EQ("a.csv:1: error: x is named twice; name every column once",
             refused("a.csv", "x,y,x\n1,2,3\n", 2));
-  EXPECT_EQ("a.csv:2: error: a number is nan; positions and velocities are finite, at most 1e15",
-            refused("a.csv", "x,y\n1,nan\n", 2));
-  EXPECT_EQ("a.csv:2: error: z is 3, and the scene is in 2D; make it 0, or give domain.max a z",
+  EXPECT_EQ(
+      "a.csv:2: error: a number is nan; positions and velocities must be finite, at most 1e15",
+      refused("a.csv", "x,y\n1,nan\n", 2));
+  EXPECT_EQ("a.csv:2: error: z is 3, and the scene is in 2D; make it 0, or add z to domain.max",
             refused("a.csv", "x,y,z\n1,2,3\n", 2));
-  EXPECT_EQ("a.csv: error: there is no point in it; is it the right file?",
+  EXPECT_EQ("a.csv: error: the file has no points; is it the right file?",
             refused("a.csv", "x,y\n", 2));
   EXPECT_EQ("a.txt: error: not *.ply, *.vtp or *.csv; convert it to one",
             refused("a.txt", "x,y\n"));
@@ -123,7 +124,7 @@ TEST_F(PointFile, ReportsPlaceAndRemedy) {
   EXPECT_EQ("a.ply:3: error: another element stands before the vertices; put them first",
             refused("a.ply", "ply\nformat ascii 1.0\nelement face 2\n"));
   EXPECT_EQ(
-      "a.ply:4: error: there is no y; a 2D scene takes x, y and perhaps vx, vy",
+      "a.ply:4: error: y is missing; a 2D scene needs x, y and optionally vx, vy",
       refused("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n", 2)
           .replace(6, 1, "4"));
   EXPECT_EQ("a.ply:12: error: not 7 numbers, which the header asks for; the file is damaged",

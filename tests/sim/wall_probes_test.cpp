@@ -134,7 +134,7 @@ TEST(WallProbe, WarnsIfThereIsNoWall) {
   };
   EXPECT_TRUE(warnings("1.0").empty());
   ASSERT_EQ(1u, warnings("0.5").size());
-  EXPECT_NE(std::string::npos, warnings("0.5")[0].message.find("no sample of a wall"));
+  EXPECT_NE(std::string::npos, warnings("0.5")[0].message.find("no boundary particle"));
 }
 
 TEST(WallProbe, RejectsAPatchOfAnotherDimension) {

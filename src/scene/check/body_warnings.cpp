@@ -16,9 +16,9 @@
 namespace freshet {
 namespace {
 
-constexpr double lightest = 0.1;  // of the fluid's density: tried so far
+constexpr double lightest = 0.1;  // of the fluid's density: lighter bodies are untested
 
-/// The greatest speed of a place of a moved body [m/s], looked for at many moments.
+/// An upper bound on the speed of all points of a moved body [m/s], from 1001 times.
 double fastest(const Scene& s, const Scene::Body& b) {
   const PrescribedMotion motion(b, s.dimension());
   const BodyShape shape = body_shape(b);
@@ -41,7 +41,7 @@ struct Length {
   const char* key;
   double value;
 };
-/// The shortest way through it, and the key that makes it longer; of a mesh through the box around.
+/// The thickness of a body, and the key that sets it. For a mesh, the thickness of its box.
 Length thickness(const Scene::Body& b) {
   if (b.shape == Shape::sphere) return {"radius", 2 * b.radius};
   if (b.shape == Shape::cylinder && b.length < 2 * b.radius) return {"length", b.length};
@@ -73,24 +73,24 @@ std::vector<Diagnostic> body_warnings(const Scene& s, const Derived& d) {
     if (layered && thick.value < reached * (1 - 1e-6))
       warn(at + thick.key,
            fmt::format(
-               "{} is {:.4g} m thick, and bodies of \"adami2012\" have samples to a depth of "
-               "{:.4g} m, as far as the support reaches: the fluid before it sees what is "
-               "behind it; make it thicker or the spacing smaller",
+               "{} is {:.4g} m thick, and \"adami2012\" needs {:.4g} m for layers of body "
+               "particles that fill the support radius: the fluid in front of it interacts with "
+               "what is behind it; make it thicker or the spacing smaller",
                name, thick.value, reached));
     if (b.motion == BodyMotion::free) {
       const double density = b.density.value_or(b.mass.value_or(0) / body_shape(b).volume);
       if (density < lightest * d.rest_density)
         warn(at + (b.density ? "density" : "mass"),
-             fmt::format("{} has {:.2g} times the density of the fluid: what it pushes aside "
-                         "weighs so much more that its motion may shake; {:g} times or more are "
-                         "calm",
+             fmt::format("{} has {:.2g} times the density of the fluid: the fluid that it "
+                         "displaces is so much heavier that its motion may oscillate; {:g} times "
+                         "or more are stable",
                          name, density / d.rest_density, lightest));
     }
     if (b.motion != BodyMotion::moved || s.time.adaptive) continue;
     const double bound = 0.4 * d.support_radius / 2 / fastest(s, b);
     if (s.time.step > bound)
-      warn("time.step", fmt::format("the time step {:.4g} s is over {:.4g} s, in which {} moves "
-                                    "0.4 h; fluid may pass through it",
+      warn("time.step", fmt::format("the time step {:.4g} s is longer than {:.4g} s, in which {} "
+                                    "moves 0.4 h; fluid may pass through it; make it shorter",
                                     s.time.step, bound, name));
   }
   for (std::size_t k = 0; k < s.wall.size() && free; ++k) {
@@ -98,9 +98,10 @@ std::vector<Diagnostic> body_warnings(const Scene& s, const Derived& d) {
     const bool round = w.shape == Shape::sphere || w.shape == Shape::cylinder;
     if (w.shape == Shape::points || (round && w.side == Side::inside))
       warn(fmt::format("wall[{}].shape", k),
-           fmt::format("free bodies do not collide with {}, {}: it holds the fluid only",
+           fmt::format("free bodies do not collide with {}, {}: it stops the fluid only",
                        s.wall_names()[2 * std::size_t(s.dimension()) + k],
-                       w.shape == Shape::points ? "which is of points" : "whose inside is round"));
+                       w.shape == Shape::points ? "a wall of points"
+                                                : "a round wall with side = \"inside\""));
   }
   return list;
 }

@@ -6,7 +6,7 @@
 
 namespace freshet {
 
-/// What is doubtful about the bodies of a good scene with its defaults filled in.
+/// Warnings about the bodies of a valid scene with its defaults filled in.
 std::vector<Diagnostic> body_warnings(const Scene& scene, const Derived& derived);
 
 }  // namespace freshet

@@ -6,12 +6,12 @@
 
 namespace freshet {
 
-/// What the keys say together: throws Error (kind scene) with everything that contradicts itself,
-/// is missing or is used by nothing.
+/// Checks the keys against each other. Throws Error (kind scene) with all contradictions, missing
+/// keys and unused keys.
 void check_scene(const Scene& scene);
 
-/// The same as a list. What depends on a section in `unread`, which holds keys that could not be
-/// read, is left out.
+/// All contradictions, missing keys and unused keys of a scene. Checks that depend on a section of
+/// `unread`, which has missing or invalid keys, are skipped.
 std::vector<Diagnostic> contradictions(const Scene& scene,
                                        const std::set<std::string, std::less<>>& unread);
 

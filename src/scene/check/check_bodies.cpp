@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Rigid bodies and joints: what each kind of motion needs, and where they stand.
+/// Rigid bodies and joints: the keys of each kind of motion, and their places.
 #include <algorithm>
 #include <cmath>
 
@@ -19,35 +19,33 @@ constexpr std::size_t most_bodies = 1000;
 
 std::string at_body(std::size_t k) { return fmt::format("body[{}].", k); }
 
-/// Samples, whose velocity the solver knows, are what bodies are made of.
+/// Bodies consist of boundary particles with a velocity, which the solver must support.
 bool check_solver(const Scene& s, Findings& out) {
   if (!s.method().has_boundary_particles()) {
-    out.error("body[0]", fmt::format("bodies act by samples, which {} does not have; choose "
-                                     "another solver.name",
+    out.error("body[0]", fmt::format("bodies need boundary particles, which {} does not "
+                                     "support; choose another solver.name",
                                      s.method().name));
     return false;
   }
   const auto refuse = [&](WallMethod m, const std::string& key) {
     if (m != WallMethod::ghost) return true;
-    out.error(key,
-              fmt::format("there are bodies, and beside them walls are {}\"akinci2012\", "
-                          "\"monaghan2009\", \"reflection\" or \"open\", not \"ghost\"; choose "
-                          "one of these",
-                          s.method().incompressible() ? "" : "\"adami2012\", "));
+    out.error(key, fmt::format("\"ghost\" walls do not work with bodies; choose {}\"akinci2012\", "
+                               "\"monaghan2009\", \"reflection\" or \"open\"",
+                               s.method().incompressible() ? "" : "\"adami2012\", "));
     return false;
   };
   const ViscosityMethod felt = s.method().viscosity;
   if (s.viscosity_method() != felt) {
-    out.error("solver.viscosity_method",
-              fmt::format("there are bodies, which feel the viscosity \"{}\" of {} only; choose "
-                          "that, or remove the bodies",
-                          force_words("solver.viscosity_method")[std::size_t(felt)], s.method().name));
+    out.error(
+        "solver.viscosity_method",
+        fmt::format("bodies support only the viscosity \"{}\" of {}; choose it, or remove the "
+                    "bodies",
+                    force_words("solver.viscosity_method")[std::size_t(felt)], s.method().name));
     return false;
   }
   if (s.solver.surface_tension_method != SurfaceTensionMethod::none) {
     out.error("solver.surface_tension_method",
-              "there are bodies, which do not feel surface tension; choose \"none\", or remove the "
-              "bodies");
+              "bodies do not support surface tension; choose \"none\", or remove the bodies");
     return false;
   }
   const std::vector<std::string> names = s.wall_names();
@@ -62,7 +60,7 @@ bool check_solver(const Scene& s, Findings& out) {
   return true;
 }
 
-/// Keys that a motion does not read.
+/// Reports keys that the motion does not read.
 void check_motion_keys(const Scene::Body& b, const std::string& at, Findings& out) {
   const char* is = motion_words[int(b.motion)];
   const auto unused = [&](BodyMotion needed, std::initializer_list<const char*> keys) {
@@ -83,10 +81,10 @@ void check_motion_keys(const Scene::Body& b, const std::string& at, Findings& ou
 bool check_axis(const Scene& s, const std::string& key, const std::string& name, const Vector& axis,
                 Findings& out) {
   if (s.dimension() == 2)
-    out.unused(key, name, "the scene is in 2D, where everything turns about z; remove it");
+    out.unused(key, name, "the scene is in 2D, where the axis is always z; remove it");
   else if (std::all_of(axis.begin(), axis.end(), [](double a) { return a == 0; })) {
     out.error(key,
-              fmt::format("{} is 0 and has no direction; give one, for example [0, 0, 1]", name));
+              fmt::format("{} is 0 and has no direction; set one, for example [0, 0, 1]", name));
     return false;
   }
   return true;
@@ -100,14 +98,14 @@ bool check_functions(const Scene& s, const Scene::Body& b, const std::string& at
       return false;
     }
     if (!Expressions(functions).depends_on_place()) return true;
-    out.error(at + key, fmt::format("body.{} depends on x, y or z, and a body moves as a whole; "
-                                    "make it a function of t",
+    out.error(at + key, fmt::format("body.{} depends on x, y or z; it must be a function of t "
+                                    "only",
                                     key));
     return false;
   };
   if (!b.position.empty() && b.position.size() != std::size_t(s.dimension())) {
     out.error(at + "position",
-              fmt::format("body.position has {} functions; give {}, one for each axis",
+              fmt::format("body.position has {} functions; it must have {}, one per axis",
                           b.position.size(), s.dimension()));
     return false;
   }
@@ -119,14 +117,14 @@ bool check_functions(const Scene& s, const Scene::Body& b, const std::string& at
 bool check_key_frames(const Scene::Body& b, const std::string& at, Findings& out) {
   if (b.key.size() == 1) {
     out.error(at + "key[0]",
-              "there is one key frame; a motion needs two, add another [[body.key]]");
+              "there is one key frame; a motion needs at least two; add another [[body.key]]");
     return false;
   }
   for (std::size_t k = 1; k < b.key.size(); ++k)
     if (!(b.key[k].time > b.key[k - 1].time)) {
       out.error(fmt::format("{}key[{}].time", at, k),
-                fmt::format("the time of this key frame, {:g} s, is not after the one before, {:g} "
-                            "s; sort them",
+                fmt::format("the time of this key frame, {:g} s, is not after that of the previous "
+                            "one, {:g} s; sort them by time",
                             b.key[k].time, b.key[k - 1].time));
       return false;
     }
@@ -146,7 +144,7 @@ bool check_path(const Scene& s, const Scene::Body& b, const std::string& at, Fin
   }
 }
 
-/// It starts where its shape says, and is somewhere all the time.
+/// The motion must be 0 at the start, and finite at all times.
 bool check_course(const Scene& s, const Scene::Body& b, const std::string& at, Findings& out) {
   const PrescribedMotion motion(b, s.dimension());
   const bool functions = !b.position.empty() || !b.angle.empty();
@@ -157,17 +155,19 @@ bool check_course(const Scene& s, const Scene::Body& b, const std::string& at, F
                                              : "path";
     for (int k = 0; k <= 200; ++k)
       if (const double t = s.time.end * k / 200; !std::isfinite(motion.at(t).value[j])) {
-        out.error(at + key, fmt::format("body.{} is no number at t = {:g} s; mend it", key, t));
+        out.error(
+            at + key,
+            fmt::format("body.{} is NaN or infinite at t = {:g} s; fix the expression", key, t));
         return false;
       }
     const double enough = j == 3 ? 1e-6 : 1e-6 * s.particles.spacing;
     if (std::abs(start.value[j]) <= enough) continue;
     out.error(
         at + key,
-        fmt::format("the body would start {:.4g} {} off the place that its shape has; let the "
-                    "motion be 0 at t = 0, or change the shape",
+        fmt::format("the motion displaces the body by {:.4g} {} at t = 0; it must be 0 there; "
+                    "change the motion, or move the shape",
                     j == 3 ? start.value[j] * 180 / 3.14159265358979 : start.value[j],
-                    j == 3 ? "° turned" : "m"));
+                    j == 3 ? "°" : "m"));
     return false;
   }
   return true;
@@ -178,14 +178,14 @@ bool check_moved(const Scene& s, const Scene::Body& b, const std::string& at, Fi
   const int given = functions + !b.key.empty() + !b.path.empty();
   if (given != 1) {
     out.error(at + "motion",
-              fmt::format("body.motion is \"moved\", and {} where it goes; give body.position and "
-                          "body.angle, or [[body.key]] frames, or body.path",
-                          given == 0 ? "nothing tells" : "more than one thing tells"));
+              fmt::format("body.motion is \"moved\", and {} set; set one of these: body.position "
+                          "and body.angle, [[body.key]] frames, or body.path",
+                          given == 0 ? "no motion is" : "more than one motion is"));
     return false;
   }
   if (functions)
     out.unused(at + "interpolation", "body.interpolation",
-               "the motion is a function; remove it, or give key frames");
+               "the motion is a function; remove it, or set key frames");
   const bool good = functions        ? check_functions(s, b, at, out)
                     : b.path.empty() ? check_key_frames(b, at, out)
                                      : check_path(s, b, at, out);
@@ -195,14 +195,13 @@ bool check_moved(const Scene& s, const Scene::Body& b, const std::string& at, Fi
 bool check_free(const Scene::Body& b, const std::string& at, Findings& out) {
   if (!moves_free_bodies())
     out.error(at + "motion",
-              "body.motion is \"free\", and this Freshet was built without Bullet, which moves "
-              "such bodies; install libbullet-dev and build it anew");
+              "body.motion is \"free\", which needs Bullet, and this Freshet was built without it; "
+              "install libbullet-dev and rebuild");
   if (!b.density && !b.mass)
     out.error(at + "motion",
-              "body.motion is \"free\", and nothing tells how heavy it is; give body.density or "
-              "body.mass");
+              "body.motion is \"free\", and the mass is missing; set body.density or body.mass");
   else if (b.density && b.mass)
-    out.error(at + "mass", "body.density and body.mass are both given; keep one of them");
+    out.error(at + "mass", "body.density and body.mass are both set; keep one of them");
   else return moves_free_bodies();
   return false;
 }
@@ -211,10 +210,11 @@ bool check_thickness(const Scene& s, const Scene::Body& b, const std::string& at
   const double spacing = s.particles.spacing;
   const auto thick = [&](const char* key, double length, double least) {
     if (length >= least * (1 - 1e-6)) return true;
-    out.error(at + key,
-              fmt::format("the body is too thin: {:.6g} m where its samples need {:.6g} at spacing "
-                          "{}; make it thicker or the spacing smaller",
-                          length, least, spacing));
+    out.error(
+        at + key,
+        fmt::format("the body is too thin: {:.6g} m, and its particles need at least {:.6g} m "
+                    "at spacing {}; make it thicker or the spacing smaller",
+                    length, least, spacing));
     return false;
   };
   if (b.shape == Shape::box)
@@ -225,7 +225,7 @@ bool check_thickness(const Scene& s, const Scene::Body& b, const std::string& at
   return b.shape != Shape::cylinder || thick("length", b.length, spacing);
 }
 
-/// The samples of each body, by body.
+/// The body particles, by body.
 template <int D> std::vector<std::vector<Vec<D, double>>> samples_of(const Scene& s) {
   Sample all;
   sample_bodies<D>(s, all);
@@ -254,9 +254,10 @@ template <int D> bool check_places(const Scene& s, bool walls_are_good, Findings
   for (std::size_t k = 0; k < s.body.size(); ++k) {
     const std::string name = s.body_name(k);
     if (samples[k].empty()) {
-      complain(k, fmt::format("{} has no samples at spacing {}: it is too thin everywhere; make it "
-                              "thicker or the spacing smaller",
-                              name, s.particles.spacing));
+      complain(k,
+               fmt::format("{} has no particles at spacing {}: it is too thin everywhere; make it "
+                           "thicker or the spacing smaller",
+                           name, s.particles.spacing));
       continue;
     }
     bool inside = false, crosses = false;
@@ -273,10 +274,10 @@ template <int D> bool check_places(const Scene& s, bool walls_are_good, Findings
       inside |= in;
     }
     const bool free = s.body[k].motion == BodyMotion::free;
-    if (!inside) complain(k, fmt::format("{} is outside the domain; move it into it", name));
+    if (!inside) complain(k, fmt::format("{} is outside the domain; move it inside", name));
     else if (free && crosses)
-      complain(k, fmt::format("{} reaches through a side of the domain, which would hold it; move "
-                              "it or make it smaller",
+      complain(k, fmt::format("{} extends through a side of the domain, and a free body must start "
+                              "inside; move it or make it smaller",
                               name));
     for (std::size_t w = 0; free && walls_are_good && w < s.wall.size(); ++w)
       if (s.wall[w].shape != Shape::points && meets(samples[k], RegionSurface<D>(s.wall[w]))) {
@@ -292,8 +293,9 @@ template <int D> bool check_places(const Scene& s, bool walls_are_good, Findings
       if (const auto j = std::size_t(d);
           free && s.periodic(d) &&
           size + 2 * support_radius(s) > s.domain.max[j] - s.domain.min[j]) {
-        complain(k, fmt::format("{} is {:.4g} m across, too large for a domain that repeats itself "
-                                "after {:.4g} m in {}: it would meet itself; make it smaller",
+        complain(k, fmt::format("{} is {:.4g} m across, too large for a domain that is periodic "
+                                "after {:.4g} m in {}: it would interact with its own image; make "
+                                "it smaller",
                                 name, size, s.domain.max[j] - s.domain.min[j], axis_names[d]));
         break;
       }
@@ -306,12 +308,12 @@ bool check_body(const Scene& s, std::size_t k, Findings& out) {
   const std::string at = at_body(k);
   if (b.shape == Shape::plane || b.shape == Shape::points || b.shape == Shape::lattice) {
     out.error(at + "shape",
-              fmt::format("body.shape is \"{}\", which is no solid thing; a body is a "
-                          "box, sphere, cylinder or mesh",
+              fmt::format("body.shape is \"{}\"; a body must be a box, sphere, cylinder or mesh; "
+                          "choose one",
                           shape_words[int(b.shape)]));
     return false;
   }
-  out.unused(at + "side", "body.side", "fluid is outside of a body; remove it");
+  out.unused(at + "side", "body.side", "the fluid is always outside a body; remove it");
   check_motion_keys(b, at, out);
   const bool turns = check_axis(s, at + "turn_axis", "body.turn_axis", b.turn_axis, out);
   if (!check_region(s, {b, at, "body"}, out) || !check_thickness(s, b, at, out)) return false;
@@ -329,28 +331,30 @@ bool check_joint(const Scene& s, std::size_t k, Findings& out) {
   const Scene::Body* body = find(j.body, "body");
   good &= body && (j.other.empty() || find(j.other, "other"));
   if (body && body->motion != BodyMotion::free) {
-    out.error(at + "body", fmt::format("joint.body is \"{}\", which is {}: a joint would hold "
-                                       "nothing; name a body with motion = \"free\"",
+    out.error(at + "body", fmt::format("joint.body is \"{}\", which is {}; a joint needs a free "
+                                       "body; name a body with motion = \"free\"",
                                        j.body, motion_words[int(body->motion)]));
     good = false;
   }
   if (j.body == j.other) {
-    out.error(at + "other", fmt::format("joint.other is \"{}\", as joint.body is; name another, or "
-                                        "leave it out to hang the body on the world",
-                                        j.other));
+    out.error(at + "other",
+              fmt::format("joint.other is \"{}\", the same as joint.body; name another "
+                          "body, or remove it to hinge the body to the world",
+                          j.other));
     good = false;
   }
   if (j.point.size() != s.domain.max.size()) {
-    out.error(at + "point", "joint.point is missing: where the hinge is; add it");
+    out.error(at + "point",
+              "joint.point is missing: position of the hinge at the start (m); add it");
     good = false;
   }
   if (j.motor_speed && !j.motor_torque)
     out.error(at + "motor_speed",
-              "joint.motor_speed needs joint.motor_torque, the most that the "
-              "motor gives; add it");
+              "joint.motor_speed needs joint.motor_torque, the maximum torque of "
+              "the motor; add it");
   if (!j.motor_speed)
     out.unused(at + "motor_torque", "joint.motor_torque",
-               "there is no motor; give joint.motor_speed, 0 for a brake, or remove it");
+               "there is no motor; set joint.motor_speed (0 for a brake), or remove it");
   return good;
 }
 

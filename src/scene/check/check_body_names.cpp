@@ -15,11 +15,11 @@ void check_body_names(const Scene& s, Findings& out) {
     });
     if (!plain)
       out.error(key,
-                "body.name holds a comma, a quote or a control character, which a table cannot; "
+                "body.name has a comma, a quote or a control character, which tables do not allow; "
                 "use letters, digits and _");
     else if (!taken.insert(name).second)
-      out.error(key,
-                fmt::format("body.name is \"{}\", which another body has; give it another", name));
+      out.error(key, fmt::format("body.name is \"{}\", which another body has; choose another name",
+                                 name));
   }
 }
 
@@ -30,8 +30,8 @@ const Scene::Body* find_body(const Scene& s, const std::string& name, const std:
     if (s.body_name(b) == name) return &s.body[b];
     names += (b ? ", " : "") + s.body_name(b);
   }
-  out.error(at, fmt::format("{} is \"{}\", and no body is called that; {}", key, name,
-                            names.empty() ? "there is none" : "there are: " + names));
+  out.error(at, fmt::format("{} is \"{}\", which is not the name of a body; {}", key, name,
+                            names.empty() ? "the scene has no bodies" : "there are: " + names));
   return nullptr;
 }
 

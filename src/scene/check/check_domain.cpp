@@ -47,10 +47,10 @@ void check_domain(const Scene& s, Findings& out) {
   if (good_domain(s)) return;
   const std::size_t n = s.domain.max.size();
   if (n != 2 && n != 3)
-    return out.error("domain.max", fmt::format("domain.max has {} numbers; give its upper corner, "
-                                               "[x, y] for a scene in 2D or [x, y, z] in 3D",
+    return out.error("domain.max", fmt::format("domain.max has {} numbers; set the upper corner, "
+                                               "[x, y] in 2D or [x, y, z] in 3D",
                                                n));
-  if (s.domain.min.size() != n) return;  // check_sizes tells
+  if (s.domain.min.size() != n) return;  // check_sizes reports it
   std::size_t flat = 0;
   while (s.domain.max[flat] > s.domain.min[flat]) ++flat;
   out.error("domain.max",
@@ -62,7 +62,7 @@ void check_domain(const Scene& s, Findings& out) {
 void check_sizes(const Scene& s, Findings& out) {
   const auto check = [&](const std::string& name, std::size_t n) {
     if (n != 0 && n != s.domain.max.size())
-      out.error(name, fmt::format("{} has {} numbers; give {}, as domain.max has", name, n,
+      out.error(name, fmt::format("{} has {} numbers; it must have {}, like domain.max", name, n,
                                   s.domain.max.size()));
   };
   const auto check_region = [&](const std::string& at, const Scene::Region& r) {
@@ -124,8 +124,8 @@ void check_periodic(const Scene& s, Findings& out) {
     if (!s.periodic(k)) continue;
     if (k >= s.dimension()) {
       out.error("domain.periodic",
-                fmt::format("domain.periodic is \"{}\", and the domain has no {}; leave it out, or "
-                            "give domain.max a third number",
+                fmt::format("domain.periodic is \"{0}\", and the domain has no {1}; remove {1}, or "
+                            "add a third number to domain.max",
                             axes_words[int(s.domain.periodic)], axis_names[k]));
       continue;
     }
@@ -134,8 +134,8 @@ void check_periodic(const Scene& s, Findings& out) {
     if (length < 2 * support_radius(s))
       out.error("domain.periodic",
                 fmt::format("the domain is {:.6g} m long in {}, less than twice the support radius "
-                            "of {:.6g} m: a particle would meet another's images twice; make it "
-                            "longer, or the spacing smaller",
+                            "of {:.6g} m: a particle would interact with two images of another; "
+                            "make it longer, or the spacing smaller",
                             length, axis_names[k], support_radius(s)));
   }
 }
@@ -160,13 +160,14 @@ void check_particles(const Scene& s, Findings& out) {
   const bool normal = s.dimension() == 3 ? kernels_are_normal<3>(s, Real(support))
                                          : kernels_are_normal<2>(s, Real(support));
   if (!normal)
-    out.error(p.support_radius ? "particles.support_radius" : "particles.spacing",
-              fmt::format("a support radius of {:.4g} m is beyond what {}-bit numbers hold in the "
-                          "kernels' constants; scale the scene {}",
-                          support, 8 * sizeof(Real), support < 1 ? "up" : "down"));
+    out.error(
+        p.support_radius ? "particles.support_radius" : "particles.spacing",
+        fmt::format("a support radius of {:.4g} m is out of range: {}-bit numbers cannot hold "
+                    "the kernels' constants; scale the scene {}",
+                    support, 8 * sizeof(Real), support < 1 ? "up" : "down"));
 }
 
-/// Positions are held as they are, so that far from the origin they are coarse.
+/// Positions are absolute, so that their resolution decreases with the distance from the origin.
 void check_resolution(const Scene& s, Findings& out) {
   double far = 0;
   for (const Vector* corner : {&s.domain.min, &s.domain.max})

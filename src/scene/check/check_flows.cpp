@@ -16,22 +16,22 @@ namespace freshet {
 namespace {
 
 constexpr std::size_t most_of_a_kind = 1000;
-constexpr double most_opening_places = 1e6;  // of an opening
-constexpr double most_layers = 100;          // that come in a step
+constexpr double most_opening_places = 1e6;  // per opening
+constexpr double most_layers = 100;          // per step
 constexpr double hair = 1e-6;
 
 bool is_zero(const Vector& v) {
   return std::all_of(v.begin(), v.end(), [](double x) { return x == 0; });
 }
 
-/// An inlet or a counter, and how messages call it.
+/// An inlet or a counter, and its name in messages.
 struct OpeningAt {
   const Scene::Opening& opening;
   std::string path;  ///< "inlet[0]."
   std::string name;  ///< "inlet"
 };
 
-/// The keys that a piece reads, by the dimension; false where it is none.
+/// Checks the keys of an opening in this dimension. False if the opening is invalid.
 bool check_keys(const Scene& s, const OpeningAt& at, bool bounded, Findings& out) {
   const Scene::Opening& o = at.opening;
   const bool flat = s.dimension() == 2;
@@ -40,9 +40,10 @@ bool check_keys(const Scene& s, const OpeningAt& at, bool bounded, Findings& out
     out.error(at.path + key, message);
     good = false;
   };
-  if (o.center.empty()) error("center", at.name + " needs " + at.name + ".center, its middle");
+  if (o.center.empty())
+    error("center", at.name + ".center is missing: centre of the opening (m); add it");
   if (o.direction.empty() || is_zero(o.direction))
-    error("direction", fmt::format("{}.direction is 0 and has no direction; give one, for example "
+    error("direction", fmt::format("{}.direction is 0 and has no direction; set one, for example "
                                    "{}",
                                    at.name, flat ? "[1, 0]" : "[1, 0, 0]"));
   if (flat) {
@@ -51,36 +52,37 @@ bool check_keys(const Scene& s, const OpeningAt& at, bool bounded, Findings& out
           std::pair("up", !o.up.empty())})
       if (given)
         error(key, fmt::format("{0}.{1} is not used; the scene is in 2D, where {2} {0} is a slit; "
-                               "remove it, and give {0}.width",
+                               "remove it, and set {0}.width",
                                at.name, key, at.name == "inlet" ? "an" : "a"));
     if (bounded && !o.width && good)
-      error("", fmt::format("the {0} has no width; give {0}.width", at.name));
+      error("", fmt::format("the {0} has no width; set {0}.width", at.name));
     return good;
   }
   if (o.radius && (o.width || o.height))
-    error("radius", fmt::format("{0}.radius is given beside {0}.{1}; a disc has a radius, a "
+    error("radius", fmt::format("{0}.radius and {0}.{1} are both set; a disc has a radius, a "
                                 "rectangle a width and a height; remove one",
                                 at.name, o.width ? "width" : "height"));
   else if (o.width.has_value() != o.height.has_value())
     error(o.width ? "width" : "height",
-          fmt::format("{0}.{1} is given without {0}.{2}; a rectangle needs both", at.name,
+          fmt::format("{0}.{1} is set without {0}.{2}; a rectangle needs both", at.name,
                       o.width ? "width" : "height", o.width ? "height" : "width"));
   else if (bounded && !o.radius && !o.width && good)
-    error("", fmt::format("the {0} has no size; give {0}.radius for a disc, or {0}.width and "
+    error("", fmt::format("the {0} has no size; set {0}.radius for a disc, or {0}.width and "
                           "{0}.height for a rectangle",
                           at.name));
   if (out.given(at.path + "up") && !o.height)
     error("up", fmt::format("{0}.up is not used; only a rectangle has one; remove it", at.name));
   else if (good && is_zero(o.up))
-    error("up", at.name + ".up is 0 and has no direction; give one, for example [0, 1, 0]");
+    error("up", at.name + ".up is 0 and has no direction; set one, for example [0, 1, 0]");
   else if (good && norm(cross(unit_of<3>(o.up), unit_of<3>(o.direction))) < hair)
-    error("up", fmt::format("{0}.up is along {0}.direction, and a rectangle's height is across it; "
-                            "turn one",
-                            at.name));
+    error("up",
+          fmt::format("{0}.up is parallel to {0}.direction, and the height of a rectangle must "
+                      "be perpendicular to it; turn one of them",
+                      at.name));
   return good;
 }
 
-/// Between one particle and too many.
+/// An opening needs room for one particle, and must not have too many.
 bool check_size(const Scene& s, const OpeningAt& at, Findings& out) {
   const Scene::Opening& o = at.opening;
   const double spacing = s.particles.spacing;
@@ -93,8 +95,8 @@ bool check_size(const Scene& s, const OpeningAt& at, Findings& out) {
     places *= disc ? square(across / spacing) : across / spacing;
     if (across >= spacing * (1 - hair)) continue;
     out.error(at.path + key,
-              fmt::format("{}.{} is {}, and a particle needs {:.6g} at spacing {}; make it larger "
-                          "or the spacing smaller",
+              fmt::format("{}.{} is {}, and one particle needs at least {:.6g} at spacing {}; make "
+                          "it larger or the spacing smaller",
                           at.name, key, *length, disc ? spacing / 2 : spacing, spacing));
     return false;
   }
@@ -109,16 +111,16 @@ bool check_size(const Scene& s, const OpeningAt& at, Findings& out) {
 void check_times(const Scene::Inlet& in, const std::string& at, Findings& out) {
   if (in.stop && *in.stop <= in.start)
     out.error(at + "stop", fmt::format("inlet.stop is {} s, not after inlet.start, {} s; make it "
-                                       "later, or leave it out to flow on and on",
+                                       "later, or remove it for a flow without end",
                                        *in.stop, in.start));
 }
 
 bool check_supply(const Scene& s, const Scene::Inlet& in, const std::string& at, Findings& out) {
   if (in.speed.has_value() == in.flow_rate.has_value()) {
     out.error(at + (in.speed ? "flow_rate" : ""),
-              in.speed ? "inlet.speed and inlet.flow_rate are both given, and one follows from the "
+              in.speed ? "inlet.speed and inlet.flow_rate are both set, and each follows from the "
                          "other; remove one"
-                       : "the inlet has no flow; give inlet.speed (m/s) or inlet.flow_rate");
+                       : "the inlet has no flow; set inlet.speed (m/s) or inlet.flow_rate");
     return false;
   }
   const double step = s.time.adaptive ? s.time.step_max.value_or(0) : s.time.step;
@@ -148,15 +150,16 @@ void check_recycle(const Scene& s, std::size_t k, Findings& out) {
             ? fmt::format("inlet.recycle is \"{}\", and there is no outlet; add an [outlet] "
                           "of that name",
                           recycle)
-            : fmt::format("inlet.recycle is \"{}\", which is no outlet; {}there {} {}", recycle,
-                          near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near),
+            : fmt::format("inlet.recycle is \"{}\", which is not the name of an outlet; {}there "
+                          "{} {}",
+                          recycle, near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near),
                           outlets.size() == 1 ? "is" : "are",
                           fmt::format("\"{}\"", fmt::join(outlets, "\", \""))));
   }
   for (std::size_t j = 0; j < k; ++j)
     if (s.inlet[j].recycle == recycle)
-      return out.error(key, fmt::format("{} and {} both recycle \"{}\"; what leaves there can come "
-                                        "in again once only; give each an outlet of its own",
+      return out.error(key, fmt::format("{} and {} both recycle \"{}\", and an outlet can supply "
+                                        "one inlet only; name another outlet for one",
                                         names[j], names[k], recycle));
 }
 
@@ -172,8 +175,9 @@ void check_liquid(const Scene& s, std::size_t k, Findings& out) {
                     : in.viscosity != liquids[0].viscosity     ? "viscosity"
                                                                : nullptr;
   if (key && !s.method().has_boundary_particles())
-    out.error(at + key, fmt::format("inlet[{}] and {}[0] differ in {}; {} takes one "
-                                    "liquid, give all the same, or choose another solver.name",
+    out.error(at + key, fmt::format("inlet[{}] and {}[0] differ in {}; {} supports "
+                                    "one liquid only; make them equal, or choose another "
+                                    "solver.name",
                                     k, s.fluid.empty() ? "inlet" : "fluid", key, s.method().name));
   if (!in.color.empty() && (in.color[0] != '#' || !background_color(in.color)))
     out.error(at + "color", fmt::format("inlet.color is \"{}\", not a colour; write it as #rrggbb, "
@@ -181,7 +185,7 @@ void check_liquid(const Scene& s, std::size_t k, Findings& out) {
                                         in.color));
 }
 
-/// Where an inlet's particles are when it starts, and one layer before the opening.
+/// The places of an inlet's particles at its start, and one layer in front of the opening.
 template <int D> std::vector<Vec<D, double>> places_of(const InletPlan& plan) {
   std::vector<Vec<D, double>> all;
   for (int layer = -1; layer < plan.layers; ++layer)
@@ -195,7 +199,8 @@ template <int D> std::vector<Vec<D, double>> places_of(const InletPlan& plan) {
   return all;
 }
 
-/// Inside the domain, from half a particle before the opening to the back of the zone.
+/// The inlet must be inside the domain, from half a spacing in front of the opening to the back of
+/// its zone.
 template <int D>
 bool check_room(const Scene& s, std::size_t k, const InletPlan& plan, Findings& out) {
   const std::string at = fmt::format("inlet[{}].", k);
@@ -212,21 +217,21 @@ bool check_room(const Scene& s, std::size_t k, const InletPlan& plan, Findings& 
       fmt::format("the {} layers behind its opening, {:.6g} m deep, in which it moves the liquid",
                   plan.layers, plan.depth());
   if (outside(piece.center, -slack)) {
-    out.error(at + "center", fmt::format("the inlet is outside the domain; move inlet.center into "
-                                         "it, with {}",
+    out.error(at + "center", fmt::format("the inlet is outside the domain; move inlet.center "
+                                         "inside, together with {}",
                                          zone));
     return false;
   }
   if (outside(piece.center + plan.spacing / 2 * piece.direction, -slack)) {
-    out.error(at + "direction", "the inlet points out of the domain; turn inlet.direction round");
+    out.error(at + "direction", "the inlet points out of the domain; reverse inlet.direction");
     return false;
   }
-  // side by side with the domain's ends as a fluid's lattice is
+  // half a spacing from the ends of the domain, like a fluid's lattice
   for (const auto& x : places_of<D>(plan))
     if (outside(x, 0.49 * plan.spacing)) {
       out.error(at + "center",
-                fmt::format("the inlet reaches out of the domain; it takes {}, and its whole width "
-                            "besides; move inlet.center further in or make it smaller",
+                fmt::format("the inlet extends beyond the domain; its whole width must be inside, "
+                            "together with {}; move inlet.center further in or make it smaller",
                             zone));
       return false;
     }
@@ -245,8 +250,8 @@ void check_neighbors(const Scene& s, std::size_t k, const std::vector<std::size_
     if (s.wall[w].shape == Shape::points) continue;
     const RegionSurface<D> wall(s.wall[w]);
     if (any([&](auto x) { return wall.distance(x) < 0.49 * plan.spacing; }))
-      out.error(key, fmt::format("the inlet lies in {0}, or nearer to it than half a spacing, with "
-                                 "the {1} layers behind its opening; move it, make it smaller, or "
+      out.error(key, fmt::format("the inlet, with the {1} layers behind its opening, is in {0} or "
+                                 "closer to it than half a spacing; move it, make it smaller, or "
                                  "leave room for it in the wall",
                                  s.wall_names()[2 * D + w], plan.layers));
   }
@@ -254,21 +259,22 @@ void check_neighbors(const Scene& s, std::size_t k, const std::vector<std::size_
     if (!is_solid(s.outlet[o].shape)) continue;
     const auto outlet = solid_of<D>(s.outlet[o]);
     if (any([&](auto x) { return outlet.distance(x) > -hair * plan.spacing; }))
-      out.error(key, fmt::format("the inlet overlaps {}, which would take away what it brings; "
-                                 "move one",
+      out.error(key, fmt::format("the inlet overlaps {}, which would remove its particles; move "
+                                 "one of them",
                                  names[s.inlet.size() + o]));
   }
   for (const std::size_t j : good) {
     if (j >= k) break;
     const InletZone<D> other(s, s.inlet[j]);
     if (any([&](auto x) { return other.holds(x, 0.49 * plan.spacing); }))
-      out.error(key, fmt::format("{} overlaps {}: their particles would meet in the zones behind "
-                                 "their openings; move one",
-                                 names[k], names[j]));
+      out.error(key,
+                fmt::format("{} overlaps {}: their particles would collide in the zones behind "
+                            "their openings; move one of them",
+                            names[k], names[j]));
   }
 }
 
-/// Names head the columns of tables.
+/// Names are headers of table columns: plain and unique.
 void check_flow_names(const Scene& s, Findings& out) {
   const auto names = s.flow_names();
   std::set<std::string> taken;
@@ -281,12 +287,13 @@ void check_flow_names(const Scene& s, Findings& out) {
       return c < ' ' || c == 0x7F || c == ',' || c == '"';
     });
     if (!plain)
-      out.error(key, fmt::format("{}.name holds a comma, a quote or a control character, which a "
-                                 "table cannot; use letters, digits and _",
-                                 kind));
+      out.error(key,
+                fmt::format("{}.name has a comma, a quote or a control character, which tables "
+                            "do not allow; use letters, digits and _",
+                            kind));
     else if (!taken.insert(names[k]).second)
       out.error(key, fmt::format("{}.name is \"{}\", which another inlet, outlet or counter has; "
-                                 "give it another",
+                                 "choose another name",
                                  kind, names[k]));
   }
 }
@@ -310,7 +317,7 @@ bool check_outlet(const Scene& s, std::size_t k, Findings& out) {
   if (is_solid(s.outlet[k].shape) && s.outlet[k].shape != Shape::lattice)
     return check_region(s, {s.outlet[k], at, "outlet"}, out);
   out.error(at + "shape",
-            "outlet.shape is no shape of an outlet; choose \"box\", \"sphere\", "
+            "outlet.shape is not allowed for an outlet; choose \"box\", \"sphere\", "
             "\"cylinder\" or \"plane\"");
   return false;
 }

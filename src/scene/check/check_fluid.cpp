@@ -16,7 +16,7 @@ namespace {
 
 constexpr double most_particles = 2147483647.0;
 constexpr std::size_t most_fluids = 1000, most_liquids = 8;
-constexpr double bytes_per_particle = 400;  // fields, lists and pictures, generously
+constexpr double bytes_per_particle = 400;  // fields, lists and pictures: a high estimate
 
 /// True if the lattice of the fluid has a particle.
 bool check_not_empty(const Scene& s, const Scene::Fluid& f, const std::string& at, Findings& out) {
@@ -36,7 +36,7 @@ bool check_not_empty(const Scene& s, const Scene::Fluid& f, const std::string& a
   return false;
 }
 
-/// The least and greatest coordinates of the fluid's particles, without jitter.
+/// The minimum and maximum coordinates of the fluid's particles, without jitter.
 std::pair<Vector, Vector> reach_of(const Scene& s, const Scene::Fluid& f) {
   if (f.shape != Shape::points) {
     const Lattice lattice = lattice_of(s, f);
@@ -79,8 +79,8 @@ void check_inside(const Scene& s, const Scene::Fluid& f, const std::string& at, 
     if (!below && high <= s.domain.max[k] + slack) continue;
     out.error(at + key_of_end(f, below),
               fmt::format("the fluid's particles reach from {:.6g} to {:.6g} in {}{}, outside the "
-                          "domain ({:.6g} to {:.6g}); move it, shrink it, or let the walls take "
-                          "them in with fluid.outside = \"clamp\"",
+                          "domain ({:.6g} to {:.6g}); move it, make it smaller, or put them onto "
+                          "the walls with fluid.outside = \"clamp\"",
                           low, high, axis_names[k], jitter > 0 ? " with their jitter" : "",
                           s.domain.min[k], s.domain.max[k]));
   }
@@ -98,29 +98,30 @@ bool check_count(double particles, double samples, Findings& out) {
     out.error(key, fmt::format("the scene has {:.4g} particles{}; at most {:.0f} are allowed; {}",
                                all, of_walls, most_particles, remedy));
   else if (needed > memory)
-    out.error(key, fmt::format("{:.4g} particles{} need about {:.3g} GiB of memory, and there are "
-                               "{:.3g} GiB; {}",
-                               all, of_walls, needed / (1u << 30), memory / (1u << 30), remedy));
+    out.error(key,
+              fmt::format("{:.4g} particles{} need about {:.3g} GiB of memory, and this machine "
+                          "has {:.3g} GiB; {}",
+                          all, of_walls, needed / (1u << 30), memory / (1u << 30), remedy));
   return all <= most_particles && needed <= memory;
 }
 
-/// mueller2003 takes one liquid.
+/// mueller2003 supports one liquid only.
 void check_same_liquid(const Scene& s, std::size_t k, Findings& out) {
   const Scene::Fluid &a = s.fluid[0], &b = s.fluid[k];
   if (s.method().has_boundary_particles()) return;
   if (a.rest_density == b.rest_density && a.viscosity == b.viscosity) return;
   const char* key = a.rest_density == b.rest_density ? "viscosity" : "rest_density";
   out.error(fmt::format("fluid[{}].{}", k, key),
-            fmt::format("fluid[{}] and fluid[0] differ in {}; {} takes one liquid, give "
-                        "all the same, or choose another solver.name",
+            fmt::format("fluid[{}] and fluid[0] differ in {}; {} supports one liquid only; make "
+                        "them equal, or choose another solver.name",
                         k, key, s.method().name));
 }
 
 void check_liquids(const Scene& s, Findings& out) {
   const auto liquids = s.liquids();
   if (liquids.size() > most_liquids)
-    out.error("fluid", fmt::format("there are {} liquids, fluids that differ in rest_density, "
-                                   "viscosity or color; at most {} are allowed, make some alike",
+    out.error("fluid", fmt::format("there are {} liquids (fluids that differ in rest_density, "
+                                   "viscosity or color); at most {} are allowed; make some equal",
                                    liquids.size(), most_liquids));
   const auto lighter = [&](const Scene::Liquid& l) {
     return l.rest_density != liquids[0].rest_density;
@@ -128,9 +129,10 @@ void check_liquids(const Scene& s, Findings& out) {
   if (s.solver.density_diffusion == DensityDiffusion::fourtakas2019 &&
       s.method().reads("solver.density_diffusion") &&
       std::any_of(liquids.begin(), liquids.end(), lighter))
-    out.error("solver.density_diffusion",
-              "solver.density_diffusion is \"fourtakas2019\", which knows the weight of one "
-              "liquid, and the fluids differ in rest_density; choose \"antuono2010\"");
+    out.error(
+        "solver.density_diffusion",
+        "solver.density_diffusion is \"fourtakas2019\", which supports one rest_density only, "
+        "and the fluids differ in it; choose \"antuono2010\"");
 }
 
 void check_velocity_field(const Scene& s, const Scene::Fluid& f, const std::string& at,
@@ -139,11 +141,11 @@ void check_velocity_field(const Scene& s, const Scene::Fluid& f, const std::stri
   if (f.velocity_field.size() != std::size_t(s.dimension()))
     return out.error(at + "velocity_field",
                      fmt::format("fluid.velocity_field has {} functions, and the domain is in {}D; "
-                                 "give {}",
+                                 "it must have {}, one per axis",
                                  f.velocity_field.size(), s.dimension(), s.dimension()));
   if (const auto fault = fault_in(f.velocity_field))
     out.error(at + "velocity_field", "fluid.velocity_field " + *fault);
-  else out.unused(at + "velocity", "fluid.velocity", "fluid.velocity_field gives it; remove one");
+  else out.unused(at + "velocity", "fluid.velocity", "fluid.velocity_field sets it; remove one");
 }
 
 void check_color(const Scene::Fluid& f, const std::string& at, Findings& out) {
@@ -157,8 +159,9 @@ void check_pressure(const Scene::Fluid& f, const std::string& at, Findings& out)
   if (f.pressure != StartPressure::hydrostatic) return;
   if (is_block(f) || (f.shape == Shape::plane && f.side == Side::inside)) return;
   out.error(at + "pressure",
-            fmt::format("fluid.pressure is \"hydrostatic\", and the shape is \"{}\"; a box, a "
-                        "lattice or the inside of a plane can be so, choose one or \"zero\"",
+            fmt::format("fluid.pressure is \"hydrostatic\", and the shape is \"{}\"; only a box, a "
+                        "lattice or the inside of a plane can be hydrostatic; choose one, or "
+                        "\"zero\"",
                         shape_words[int(f.shape)]));
 }
 
@@ -168,25 +171,26 @@ template <int D> bool is_empty(const Scene& s, const Scene::Fluid& f) {
   return empty;
 }
 
-/// The walls leave room, and fluids do not share it.
+/// Walls must leave room for each fluid, and fluids must not overlap.
 void check_room(const Scene& s, const std::vector<std::size_t>& good, Findings& out) {
   for (const std::size_t k : good) {
     const Scene::Fluid& f = s.fluid[k];
     const bool empty = s.dimension() == 2 ? is_empty<2>(s, f) : is_empty<3>(s, f);
     if (empty)
-      out.error(fmt::format("fluid[{}].", k),
-                fmt::format("fluid[{}] is empty: no place of its lattice lies inside its shape and "
-                            "off the walls; move it, or make the spacing smaller",
-                            k));
+      out.error(
+          fmt::format("fluid[{}].", k),
+          fmt::format("fluid[{}] is empty: no place of its lattice is inside its shape and far "
+                      "enough from walls; move it, or make the spacing smaller",
+                      k));
   }
   for (const auto& [j, k] : overlapping_fluids(s, good))
     out.error(fmt::format("fluid[{}].{}", k, key_of_end(s.fluid[k], true)),
-              fmt::format("fluid[{}] overlaps fluid[{}]: their particles would lie less than "
-                          "half a spacing apart; move one",
+              fmt::format("fluid[{}] overlaps fluid[{}]: their particles would be less than "
+                          "half a spacing apart; move one of them",
                           k, j));
 }
 
-/// How many places the fluid has; none where the other checks cannot look at it.
+/// The number of places of the fluid; empty if it is invalid, so that other checks must skip it.
 std::optional<double> check_shape(const Scene& s, const Scene::Fluid& f, const std::string& at,
                                   Findings& out) {
   if (!check_region(s, {f, at, "fluid"}, out)) return {};
@@ -196,7 +200,7 @@ std::optional<double> check_shape(const Scene& s, const Scene::Fluid& f, const s
   const auto cloud = check_points(s, {f, at, "fluid"}, out);
   if (!cloud) return {};
   if (!cloud->v.empty())
-    out.unused(at + "velocity", "fluid.velocity", "the file gives velocities; remove it");
+    out.unused(at + "velocity", "fluid.velocity", "the file has velocities; remove it");
   return double(cloud->x.size()) / s.dimension();
 }
 

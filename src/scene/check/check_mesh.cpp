@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Meshes as fluids and walls take them.
+/// The meshes of fluids, walls and bodies.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,8 @@
 namespace freshet {
 namespace {
 
-/// What to try where a mesh misses the domain: the power of ten that makes it about as large.
+/// The remedy for a mesh outside the domain: a translation, or a power of ten as the scale that
+/// makes it about as large as the domain.
 std::string scale_remedy(const Scene::Region& r, const std::string& name, double size,
                          double domain) {
   const double off = std::log10(size / domain);
@@ -70,11 +71,11 @@ bool check_mesh(const Scene& s, const RegionAt& at, Findings& out) {
   if (encloses && !c.closed()) {
     out.error(at.path + "file",
               fmt::format(
-                  "{}.file is \"{}\", which does not close: {} edges have one triangle "
-                  "only, the first near [{:.4g}, {:.4g}, {:.4g}], so nothing tells its "
-                  "inside; close it in a modelling program{}",
+                  "{}.file is \"{}\", which is not closed: {} edges have one triangle "
+                  "only, the first near [{:.4g}, {:.4g}, {:.4g}], so it has no inside; close "
+                  "it in a modelling program{}",
                   at.name, at.region.file, c.open, c.open_at.x, c.open_at.y, c.open_at.z,
-                  at.name != "wall" ? "" : ", or take it as a sheet with wall.side = \"outside\""));
+                  at.name != "wall" ? "" : ", or use it as a sheet with wall.side = \"outside\""));
     return false;
   }
   return check_place(s, at, loaded->distance, out);

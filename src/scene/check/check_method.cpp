@@ -24,15 +24,15 @@ void check_backend(const Scene& s, Findings& out) {
   if (s.solver.backend == BackendName::reference) return;
   if (s.solver.neighbor_order == NeighborOrder::id)
     out.error("solver.neighbor_order",
-              "solver.neighbor_order = \"id\" is the reference's only; set "
+              "solver.neighbor_order = \"id\" needs the reference backend; set "
               "solver.backend = \"reference\", or choose \"cell\"");
   if (s.solver.search == Search::all_pairs)
     out.error("solver.search",
-              "solver.search = \"all_pairs\" is the reference's only; set "
+              "solver.search = \"all_pairs\" needs the reference backend; set "
               "solver.backend = \"reference\", or choose \"grid\"");
 }
 
-/// "only dfsph reads it; remove it, or choose solver.name = "dfsph"": whose key this is.
+/// The solvers that read a key: "only dfsph reads it; remove it, or choose solver.name = "dfsph"".
 std::string readers_of(std::string_view key) {
   std::vector<std::string> names;
   for (const SolverMethod* m : solver_methods())
@@ -45,7 +45,7 @@ std::string readers_of(std::string_view key) {
                      fmt::join(names, ", "), last);
 }
 
-/// Keys that other solvers read.
+/// Reports keys that only other solvers read.
 void check_keys_of_solvers(const Scene& s, Findings& out) {
   const SolverMethod& own = s.method();
   const auto instead = [&](std::string_view key) -> const char* {
@@ -63,13 +63,13 @@ void check_keys_of_solvers(const Scene& s, Findings& out) {
   }
 }
 
-/// fluid.viscosity, which drag reads as well: drops flatten in the air by it.
+/// Reports an unused fluid.viscosity. Air drag reads it, too, for the deformation of drops.
 void check_fluid_viscosity(const Scene& s, Findings& out) {
   if (s.viscosity_method() != ViscosityMethod::artificial || s.air.drag != Drag::none) return;
   for (std::size_t k = 0; k < s.fluid.size(); ++k)
     out.unused(fmt::format("fluid[{}].viscosity", k), "fluid.viscosity",
-               fmt::format("{} has solver.artificial_viscosity instead, unless "
-                           "solver.viscosity_method is another; remove it",
+               fmt::format("{} has solver.artificial_viscosity instead, unless another "
+                           "solver.viscosity_method is set; remove it",
                            s.method().name));
 }
 
@@ -81,15 +81,15 @@ void check_iterations(const Scene& s, Findings& out) {
                           s.solver.min_iterations, s.solver.max_iterations));
 }
 
-/// Seconds between what is written, or steps, but not both; never less than a step.
+/// An output interval is set in seconds or in steps, but not in both. It is at least one step.
 void check_every(const Scene& s, const char* name, std::optional<std::int64_t> steps,
                  std::optional<double> seconds, Findings& out) {
   const std::string key = fmt::format("output.{}", name), key_steps = key + "_steps";
   if (steps && seconds)
-    out.error(key, fmt::format("{} and {} say the same twice; keep one", key, key_steps));
+    out.error(key, fmt::format("{} and {} are both set; keep one", key, key_steps));
   else if (steps && s.time.adaptive)
-    out.error(key_steps, fmt::format("{} counts steps, and how many there are is not known while "
-                                     "time.step is \"adaptive\"; give {} in seconds",
+    out.error(key_steps, fmt::format("{} counts steps, and their number is unknown while time.step "
+                                     "is \"adaptive\"; set {} in seconds",
                                      key_steps, key));
   const double step = s.time.adaptive ? s.time.step_max.value_or(0) : s.time.step;
   if (seconds && *seconds < step)
@@ -97,7 +97,7 @@ void check_every(const Scene& s, const char* name, std::optional<std::int64_t> s
                                *seconds, step));
 }
 
-/// Not too many of them.
+/// The number of frames is limited.
 void check_count(const Scene& s, const char* name, std::optional<std::int64_t> every_steps,
                  std::optional<double> every, Findings& out) {
   const double steps = std::round(s.time.end / s.time.step);
@@ -113,7 +113,7 @@ void check_count(const Scene& s, const char* name, std::optional<std::int64_t> e
   else if (every && s.time.end / *every > most_frames) too_many(key, s.time.end / *every);
 }
 
-/// The data files.
+/// The keys of data files.
 void check_data(const Scene& s, Findings& out) {
   const auto& data = s.output.data;
   if (data.empty())
@@ -126,7 +126,7 @@ void check_data(const Scene& s, Findings& out) {
       if (format != DataFormat::hdf5)
         return out.error(
             "output.precision",
-            fmt::format("output.precision = \"float16\" is hdf5's only, and output.data {} "
+            fmt::format("output.precision = \"float16\" needs hdf5, and output.data {} "
                         "\"{}\"; set output.data = [\"hdf5\"], or choose \"float32\"",
                         out.given("output.data") ? "has" : "is", data_words[int(format)]));
 }
@@ -144,8 +144,8 @@ void check_method(const Scene& s, Findings& out) {
   if (s.is_article()) {
     if (!s.particles.mass)
       out.error("solver.scheme",
-                "solver.scheme = \"article\" needs particles.mass; the article has "
-                "0.02 (or choose \"paper\", which derives it)");
+                "solver.scheme = \"article\" needs particles.mass (0.02 in the article); "
+                "set it, or choose \"paper\", which derives it");
     return;
   }
   out.unused("particles.mass", "particles.mass",
@@ -162,13 +162,13 @@ void check_body_force(const Scene& s, Findings& out) {
   if (force.empty()) return;
   if (int(force.size()) != s.dimension())
     out.error("domain.body_force",
-              fmt::format("domain.body_force has {} functions; give {}, as domain.max has numbers",
+              fmt::format("domain.body_force has {} functions; it must have {}, one per axis",
                           force.size(), s.dimension()));
   else if (const auto fault = fault_in(force))
     out.error("domain.body_force", "domain.body_force " + *fault);
   if (s.is_article())
     out.error("domain.body_force",
-              "domain.body_force is given, and solver.scheme is \"article\", which has gravity "
+              "domain.body_force is set, and solver.scheme is \"article\", which has gravity "
               "only; remove it, or choose solver.scheme = \"paper\"");
 }
 
@@ -176,43 +176,43 @@ void check_gravity(const Scene& s, Findings& out) {
   if (!is_weightless(s)) return;
   if (s.method().reads("solver.stiffness") && !s.solver.stiffness)
     out.error("domain.gravity",
-              "without gravity there is no default of solver.stiffness; give solver.stiffness "
-              "(the square of ten times the fastest speed is a good start)");
+              "without gravity, solver.stiffness has no default; set it (the square of ten times "
+              "the maximum speed is a good start)");
   if (s.method().reads("solver.sound_speed") && !s.solver.sound_speed)
     out.error("domain.gravity",
-              "without gravity there is no default of solver.sound_speed; give solver.sound_speed "
-              "(ten times the fastest speed is a good start)");
+              "without gravity, solver.sound_speed has no default; set it (ten times the maximum "
+              "speed is a good start)");
   for (std::size_t k = 0; k < s.fluid.size(); ++k)
     if (s.fluid[k].pressure == StartPressure::hydrostatic)
       out.error(fmt::format("fluid[{}].pressure", k),
-                "fluid.pressure = \"hydrostatic\" needs gravity; give domain.gravity, or choose "
+                "fluid.pressure = \"hydrostatic\" needs gravity; set domain.gravity, or choose "
                 "\"zero\"");
 }
 
-/// The article has one box, in 2D, and steps of its own.
+/// The article's scheme has one box of fluid in 2D, reflecting sides and fixed steps.
 void check_scheme(const Scene& s, Findings& out) {
   if (!s.is_article()) return;
   const char* remedy = "remove it, or choose solver.scheme = \"paper\"";
   if (s.dimension() == 3)
     out.error("solver.scheme",
-              "solver.scheme = \"article\" is in 2D, and domain.max has 3 numbers; choose "
+              "solver.scheme = \"article\" supports 2D only, and domain.max has 3 numbers; choose "
               "\"paper\"");
   for (const char* key : {"domain.periodic", "time.integrator"})
     out.unused(key, key,
                fmt::format("solver.scheme is \"article\", which has its own; {}", remedy));
   if (s.time.adaptive)
     out.error("time.step",
-              "time.step is \"adaptive\", and solver.scheme = \"article\" has steps "
-              "of one length; give a number, or choose \"paper\"");
+              "time.step is \"adaptive\", and solver.scheme = \"article\" needs a "
+              "fixed step; set a number, or choose \"paper\"");
   if (!s.wall.empty())
-    out.error("wall[0]", fmt::format("solver.scheme = \"article\" has the sides of the domain, and "
-                                     "no other wall; {}",
+    out.error("wall[0]", fmt::format("solver.scheme = \"article\" supports no walls except the "
+                                     "sides of the domain; {}",
                                      remedy));
   for (int side = 0; side < 2 * s.dimension(); ++side)
     if (s.side_method(side) != WallMethod::reflection) {
       const std::string key = "walls." + s.wall_names()[std::size_t(side)];
       out.error(out.given(key) ? key : "walls.method",
-                "solver.scheme = \"article\" has walls of \"reflection\" only; choose that, or "
+                "solver.scheme = \"article\" supports \"reflection\" walls only; choose that, or "
                 "solver.scheme = \"paper\"");
       break;
     }
@@ -221,7 +221,7 @@ void check_scheme(const Scene& s, Findings& out) {
 void check_time(const Scene& s, Findings& out) {
   if (s.time.adaptive && !s.time.step_max)
     return out.error("time.step",
-                     "time.step = \"adaptive\" needs time.step_max, the longest step (s); add it");
+                     "time.step = \"adaptive\" needs time.step_max, the maximum step (s); add it");
   if (!s.time.adaptive)
     out.unused("time.step_max", "time.step_max",
                "time.step is a number; remove it, or set time.step = \"adaptive\"");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a picture shows, and where it is seen from.
+/// Pictures and cameras.
 #include <charconv>
 
 #include "scene/model/background.h"
@@ -9,7 +9,7 @@
 namespace freshet {
 namespace {
 
-constexpr double darkest_light = 100;  // of 255; a lighter ground swallows what glows
+constexpr double darkest_light = 100;  // of 255; a lighter background hides glowing dots
 
 bool is_light(const std::array<std::uint8_t, 3>& c) {
   return (c[0] + c[1] + c[2]) / 3.0 > darkest_light;
@@ -23,18 +23,18 @@ void check_background(const Scene& s, Findings& out) {
                      "digits like \"#0a2040\" (red, green, blue); choose one");
   if (s.dimension() == 2 && s.picture.dots == Dots::glow && is_light(*color))
     out.error("picture.background",
-              "picture.dots = \"glow\" adds light to the ground, and this one is too light to show "
-              "it; choose picture.dots = \"solid\" or a darker ground");
+              "picture.dots = \"glow\" adds light to the background, and this one is too light to "
+              "show it; choose picture.dots = \"solid\" or a darker background");
 }
 
 void check_dimension(const Scene& s, Findings& out) {
   if (s.dimension() == 3) {
     for (const char* key : {"picture.dots", "picture.dot_radius"})
-      out.unused(key, key, "a picture in 3D has balls of the particles' size; remove it");
+      out.unused(key, key, "in 3D particles are drawn as balls of their size; remove it");
     out.unused("picture.scale_bar", "picture.scale_bar",
-               "in 3D what is near looks longer; remove it");
+               "in 3D lengths depend on the distance from the camera; remove it");
     out.unused("picture.window", "picture.window",
-               "a picture in 3D is what the camera sees; remove it, or set [camera]");
+               "in 3D the camera sets the visible region; remove it, or set [camera]");
   } else if (s.picture.color_by == ColorBy::velocity_z) {
     out.error("picture.color_by",
               "picture.color_by is \"velocity_z\", and the scene is in 2D; choose \"velocity_x\" "
@@ -42,28 +42,27 @@ void check_dimension(const Scene& s, Findings& out) {
   }
 }
 
-/// Key frames follow each other and say where they are; one camera alone has no time.
+/// Key frames need a position and ascending times; a single camera has no time.
 void check_keyframe(const Scene& s, std::size_t k, Findings& out) {
   const std::string at = fmt::format("camera[{}].", k);
   if (s.camera.size() == 1)
     return out.unused(at + "time", "camera.time",
-                      "there is one camera and nothing to move to; remove it, or add a second "
-                      "[[camera]]");
+                      "a single camera is not a key frame; remove it, or add a second [[camera]]");
   out.unused(at + "orbit", "camera.orbit",
-             "there are several cameras, key frames of a path; remove it, or keep one camera");
+             "several cameras are key frames of a path; remove it, or keep one camera");
   if (s.camera[k].position.empty())
     out.error(at + "position",
-              fmt::format("camera[{}].position is missing: there are several cameras, and each "
-                          "is a place on the way; add it",
+              fmt::format("camera[{}].position is missing; each of several cameras is a key frame "
+                          "with a position; add it",
                           k));
   if (k > 0 && !(s.camera[k].time > s.camera[k - 1].time))
     out.error(at + "time",
-              fmt::format("camera[{}].time is {} s, not after that of the camera before, {} s; "
-                          "give each its own, in order",
+              fmt::format("camera[{}].time is {} s, not after that of the previous camera, {} s; "
+                          "sort them by time",
                           k, s.camera[k].time, s.camera[k - 1].time));
 }
 
-/// An eye in its own target would see nothing.
+/// The position of a camera must differ from its target.
 void check_distance(const Scene& s, std::size_t k, Findings& out) {
   const Scene::Camera& c = s.camera[k];
   if (c.position.empty()) return;
@@ -76,7 +75,7 @@ void check_distance(const Scene& s, std::size_t k, Findings& out) {
   }
   if (distance2 < 1e-6 * size2)
     out.error(fmt::format("camera[{}].position", k),
-              fmt::format("camera{}.position is where the camera looks at; move it away",
+              fmt::format("camera{}.position is at the camera's target; move it away",
                           s.camera.size() == 1 ? "" : fmt::format("[{}]", k)));
 }
 
@@ -99,16 +98,18 @@ void check_picture(const Scene& s, Findings& out) {
   const auto& p = s.picture;
   const auto is_size = [&](const char* key, const Vector& v, std::size_t n) {
     if (!v.empty() && v.size() != n)
-      out.error(key, fmt::format("{} has {} numbers; give {}", key, v.size(), n));
+      out.error(key, fmt::format("{} has {} numbers; it must have {}", key, v.size(), n));
     return v.size() == n;
   };
   if (is_size("picture.window", p.window, 4) &&
       !(p.window[2] > p.window[0] && p.window[3] > p.window[1]))
-    out.error("picture.window",
-              "picture.window is empty; give x_min, y_min, x_max, y_max, the greater ones last");
+    out.error(
+        "picture.window",
+        "picture.window is empty; set x_min, y_min, x_max, y_max, the maxima greater than the "
+        "minima");
   if (is_size("picture.color_range", p.color_range, 2) && !(p.color_range[1] > p.color_range[0]))
     out.error("picture.color_range",
-              "picture.color_range is empty; give the least value, then a greater one");
+              "picture.color_range is empty; set the minimum, then a greater maximum");
   check_background(s, out);
   check_dimension(s, out);
 }
@@ -118,8 +119,8 @@ void check_camera(const Scene& s, Findings& out) {
   if (s.dimension() == 2)
     return out.error(
         "camera[0]",
-        "a camera is of scenes in 3D, and this one is in 2D; remove it (picture.window "
-        "chooses what is seen)");
+        "a camera needs a scene in 3D, and this one is in 2D; remove it (picture.window "
+        "sets the visible region)");
   for (std::size_t k = 0; k < s.camera.size(); ++k) {
     check_keyframe(s, k, out);
     check_distance(s, k, out);

@@ -21,7 +21,7 @@ bool is_file_name(const std::string& name) {
          name[0] != '.';
 }
 
-/// What the kind reads has to be there, and the rest must not.
+/// The keys that the kind reads must be set, and no others.
 void check_vectors(const Scene& s, const Scene::Probe& p, const std::string& at, Findings& out) {
   const bool point = p.kind == ProbeKind::point;
   const char* kind = probe_words[int(p.kind)];
@@ -31,8 +31,9 @@ void check_vectors(const Scene& s, const Scene::Probe& p, const std::string& at,
                                       "numbers",
                                       key, kind, s.dimension()));
     else if (x.size() != std::size_t(s.dimension()))
-      out.error(at + key, fmt::format("probe.{} has {} numbers, and the domain is in {}D; give {}",
-                                      key, x.size(), s.dimension(), s.dimension()));
+      out.error(at + key,
+                fmt::format("probe.{} has {} numbers, and the domain is in {}D; it must have {}",
+                            key, x.size(), s.dimension(), s.dimension()));
   };
   if (point) {
     needs("at", p.at);
@@ -45,41 +46,42 @@ void check_vectors(const Scene& s, const Scene::Probe& p, const std::string& at,
     out.unused(at + "at", "probe.at",
                fmt::format("a {} goes from probe.from to probe.to; remove it", kind));
     if (!p.from.empty() && p.from == p.to)
-      out.error(at + "to", "probe.to is where probe.from is; a line needs a length, move one");
+      out.error(at + "to", "probe.to equals probe.from; a line needs a length; move one of them");
   }
   if (p.kind != ProbeKind::line)
     out.unused(at + "count", "probe.count",
                fmt::format("a {} has no count; remove it, or choose kind = \"line\"", kind));
   if (p.kind != ProbeKind::plane)
     out.unused(at + "apart", "probe.apart",
-               fmt::format("a {} is no plane; remove it, or choose kind = \"plane\"", kind));
+               fmt::format("a {} is not a plane; remove it, or choose kind = \"plane\"", kind));
 }
 
-/// Corners that differ along so many axes.
+/// The corners must differ along `wanted` axes.
 bool check_corners(const Scene& s, const Scene::Probe& p, std::size_t wanted, const std::string& at,
                    Findings& out) {
   const auto n = std::size_t(s.dimension());
-  if (p.from.size() != n || p.to.size() != n || p.from == p.to) return false;  // told of already
+  if (p.from.size() != n || p.to.size() != n || p.from == p.to) return false;  // reported already
   std::size_t axes = 0;
   for (std::size_t d = 0; d < n; ++d) axes += p.from[d] != p.to[d];
   if (axes == wanted) return true;
-  out.error(at + "to", fmt::format("probe.to differs from probe.from along {} {}; {} differ along "
-                                   "{}",
-                                   axes, axes == 1 ? "axis" : "axes",
-                                   p.kind == ProbeKind::plane ? "opposite corners of a plane"
-                                   : n == 2                   ? "the ends of a stretch of wall"
-                                            : "opposite corners of a piece of wall",
-                                   wanted == 1 ? "one" : "two"));
+  out.error(at + "to",
+            fmt::format("probe.to differs from probe.from along {} {}; {} must differ along "
+                        "{}",
+                        axes, axes == 1 ? "axis" : "axes",
+                        p.kind == ProbeKind::plane ? "opposite corners of a plane"
+                        : n == 2                   ? "the ends of a wall segment"
+                                                   : "opposite corners of a wall rectangle",
+                        wanted == 1 ? "one" : "two"));
   return false;
 }
 
-/// A rectangle of not too many places.
+/// A plane must be a rectangle with at most `most_places` points.
 void check_plane(const Scene& s, const Scene::Probe& p, const std::string& at, Findings& out) {
   if (!check_corners(s, p, 2, at, out)) return;
   double places = 1;
   for (std::size_t d = 0; d < p.from.size(); ++d) places *= 1 + double(steps_of_plane(s, p, d));
   if (places > most_places)
-    out.error(at + "to", fmt::format("the plane has {:.3g} places; at most {} are allowed; make "
+    out.error(at + "to", fmt::format("the plane has {:.3g} points; at most {} are allowed; make "
                                      "probe.apart larger",
                                      places, most_places));
 }
@@ -92,13 +94,13 @@ bool has_samples(const Scene& s) {
   return any;
 }
 
-/// A piece of a wall, and a wall that is asked by its samples.
+/// A wall probe must be a rectangle (in 2D a segment), and needs walls with boundary particles.
 void check_wall(const Scene& s, const Scene::Probe& p, const std::string& at, Findings& out) {
   if (!check_corners(s, p, std::size_t(s.dimension() - 1), at, out)) return;
   if (!has_samples(s))
     out.error(at + "kind",
-              fmt::format("probe.kind is \"wall\", which asks the samples of walls, and "
-                          "no wall has any; choose {}, or another kind",
+              fmt::format("probe.kind is \"wall\", which needs boundary particles, and no wall has "
+                          "any; choose {}, or another kind",
                           s.method().has_boundary_particles()
                               ? "walls.method = \"akinci2012\""
                               : fmt::format("another solver.name than {}", s.method().name)));
@@ -109,7 +111,7 @@ void check_wall(const Scene& s, const Scene::Probe& p, const std::string& at, Fi
 void check_probes(const Scene& s, Findings& out) {
   if (s.probe.size() > most_probes)
     return out.error("probe", fmt::format("there are {} probes; at most {} are allowed; a line of "
-                                          "many places is one probe",
+                                          "many points is one probe",
                                           s.probe.size(), most_probes));
   std::set<std::string> names;
   for (std::size_t k = 0; k < s.probe.size(); ++k) {
@@ -120,15 +122,15 @@ void check_probes(const Scene& s, Findings& out) {
     if (p.kind == ProbeKind::wall) check_wall(s, p, at, out);
     if (!p.body.empty()) find_body(s, p.body, at + "body", "probe.body", out);
     if (p.count > most_places)
-      out.error(at + "count", fmt::format("probe.count is {}; at most {} places are allowed",
+      out.error(at + "count", fmt::format("probe.count is {}; at most {} points are allowed",
                                           p.count, most_places));
     if (!p.name.empty() && !is_file_name(p.name))
-      out.error(at + "name", fmt::format("probe.name is \"{}\", and names a file; write it with "
-                                         "letters, digits, _, - and .",
-                                         p.name));
-    else if (!p.name.empty() && !names.insert(p.name).second)
       out.error(at + "name",
-                fmt::format("two probes are named \"{}\"; give each a name of its own", p.name));
+                fmt::format("probe.name is \"{}\", which cannot name a file; use letters, "
+                            "digits, _, - and .",
+                            p.name));
+    else if (!p.name.empty() && !names.insert(p.name).second)
+      out.error(at + "name", fmt::format("two probes are named \"{}\"; rename one", p.name));
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The shapes that fluids and walls share: which keys each needs, and which it does not read.
+/// The shapes of regions: the keys that each requires, and the keys that it does not read.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ constexpr const char* all_keys[] = {"min",    "max",    "from",     "count",    
                                     "radius", "length", "axis",     "point",      "normal",
                                     "file",   "scale",  "rotation", "translation"};
 
-/// The keys without which a shape is none.
+/// The keys that each shape requires.
 std::vector<std::string> needed_keys(Shape shape) {
   switch (shape) {
     case Shape::box:
@@ -34,7 +34,7 @@ std::vector<std::string> needed_keys(Shape shape) {
   return {};
 }
 
-/// The keys that a shape reads, but may do without.
+/// The optional keys of a shape.
 std::vector<std::string> further_keys(Shape shape) {
   if (shape == Shape::cylinder) return {"axis"};
   if (shape == Shape::mesh) return {"scale", "rotation", "translation"};
@@ -94,7 +94,7 @@ bool check_box(const RegionAt& at, Findings& out) {
 
 bool check_direction(const RegionAt& at, const char* key, const Vector& v, Findings& out) {
   if (std::any_of(v.begin(), v.end(), [](double x) { return x != 0; })) return true;
-  out.error(at.path + key, fmt::format("{}.{} is 0 and has no direction; give one, for example {}",
+  out.error(at.path + key, fmt::format("{}.{} is 0 and has no direction; set one, for example {}",
                                        at.name, key, v.size() == 3 ? "[0, 1, 0]" : "[0, 1]"));
   return false;
 }
@@ -108,7 +108,7 @@ bool check_region(const Scene& s, const RegionAt& at, Findings& out) {
     out.error(at.path + "shape",
               fmt::format("{}.shape is \"{}\", and the scene is in 2D{}", at.name,
                           shape_words[int(r.shape)],
-                          mesh ? "; choose another shape, or give domain.max a third number"
+                          mesh ? "; choose another shape, or add a third number to domain.max"
                                : ", where a disc is shape = \"sphere\"; choose that"));
     return false;
   }
@@ -125,7 +125,7 @@ std::optional<PointCloud> check_points(const Scene& s, const RegionAt& at, Findi
     return read_points(at.region.file, s.dimension());
   } catch (const Error& e) {
     for (const Diagnostic& d : e.diagnostics())
-      if (d.place == at.region.file)  // of the whole file: the key tells where to mend it
+      if (d.place == at.region.file)  // an error of the whole file is reported at the key
         out.error(at.path + "file",
                   fmt::format("{}.file is \"{}\": {}", at.name, at.region.file, d.message));
       else out.list.push_back(d);

@@ -21,14 +21,14 @@ bool has_slip(WallMethod m) {
 
 const char* word_of(WallMethod m) { return method_words[int(m)]; }
 
-/// Whether the solver knows the method. `flat`: the wall could be of mirror images.
+/// Whether the solver supports the method. `flat`: the wall could be "ghost".
 bool check_solver(const Scene& s, WallMethod m, const std::string& key, const std::string& name,
                   bool flat, Findings& out) {
   const SolverMethod& solver = s.method();
   const bool unknown = is_sampled(m) && !solver.has_boundary_particles();
   if (unknown)
-    out.error(key, fmt::format("{} is \"{}\", and {} takes \"open\", \"reflection\" and "
-                               "\"ghost\"; choose one, or another solver.name",
+    out.error(key, fmt::format("{} is \"{}\", and {} supports \"open\", \"reflection\" and "
+                               "\"ghost\" only; choose one, or another solver.name",
                                name, word_of(m), solver.name));
   const bool extrapolates = solver.incompressible() && m == WallMethod::adami2012;
   if (extrapolates)
@@ -38,49 +38,50 @@ bool check_solver(const Scene& s, WallMethod m, const std::string& key, const st
   return !extrapolates && !unknown;
 }
 
-/// What a method does not read.
+/// Reports keys that the method does not read.
 void check_surface_keys(bool reflects, bool slips, const std::string& at, const std::string& name,
                         Findings& out) {
   if (!reflects)
     out.unused(at + "restitution", name + ".restitution",
-               "it is read where the method is \"reflection\"; remove it or choose that");
+               "only \"reflection\" reads it; remove it, or choose that method");
   if (!slips)
     out.unused(at + "slip", name + ".slip",
-               "it is read where the method is \"ghost\", \"akinci2012\" or \"adami2012\"; remove "
-               "it or choose one");
+               "only \"ghost\", \"akinci2012\" and \"adami2012\" read it; remove it, or choose one "
+               "of these methods");
 }
 
-/// A surface that slides along itself.
+/// The velocity of a surface that slides along itself.
 void check_velocity(const Scene& s, std::size_t k, const std::string& at, Findings& out) {
   const Scene::Wall& w = s.wall[k];
   if (w.velocity.empty()) return;
   if (s.wall_method(k) != WallMethod::adami2012)
-    out.error(at + "velocity", fmt::format("wall.velocity is for \"adami2012\", and wall.method is "
-                                           "\"{}\"; choose that, or move a [[body]]",
+    out.error(at + "velocity", fmt::format("wall.velocity needs \"adami2012\", and wall.method is "
+                                           "\"{}\"; choose \"adami2012\", or use a moved [[body]]",
                                            word_of(s.wall_method(k))));
   else if (w.slip == Slip::free_slip)
     out.error(at + "velocity",
-              "wall.velocity takes the fluid along, and wall.slip is "
-              "\"free_slip\"; remove one of them");
+              "wall.velocity drags the fluid along, and wall.slip = "
+              "\"free_slip\" prevents that; remove one of them");
   else if (s.viscosity_method() == ViscosityMethod::weiler2018)
     out.error(at + "velocity",
-              "solver.viscosity_method = \"weiler2018\" takes walls of "
-              "\"adami2012\" to be at rest; choose \"morris1997\" or "
+              "solver.viscosity_method = \"weiler2018\" needs walls of "
+              "\"adami2012\" at rest; choose \"morris1997\" or "
               "\"monaghan2005\", or remove wall.velocity");
 }
 
-/// The methods that hold where each wall stands.
+/// Whether the method suits the shape of the wall and the solver.
 bool check_method_of(const Scene& s, std::size_t k, const std::string& at, Findings& out) {
   const Scene::Wall& w = s.wall[k];
   const WallMethod m = s.wall_method(k);
   const std::string key = at + "method";
   const bool box_inside = w.shape == Shape::box && w.side == Side::inside;
   if (w.shape == Shape::points && !s.method().has_boundary_particles())
-    out.error(at + "shape", fmt::format("wall.shape is \"points\", whose methods {} does not have; "
-                                        "choose another shape or another solver.name",
-                                        s.method().name));
+    out.error(at + "shape",
+              fmt::format("wall.shape is \"points\", which needs boundary particles, and "
+                          "{} has none; choose another shape or another solver.name",
+                          s.method().name));
   else if (w.shape == Shape::points && !is_sampled(m))
-    out.error(key, fmt::format("wall.method is \"{}\", and points are held by \"akinci2012\"{} or "
+    out.error(key, fmt::format("wall.method is \"{}\", and points need \"akinci2012\"{} or "
                                "\"monaghan2009\"; choose one",
                                word_of(m), s.method().incompressible() ? "" : ", \"adami2012\""));
   else if (w.shape == Shape::mesh && m != WallMethod::akinci2012 && m != WallMethod::monaghan2009)
@@ -93,25 +94,26 @@ bool check_method_of(const Scene& s, std::size_t k, const std::string& at, Findi
                               : fmt::format(", and another solver.name than {}", s.method().name)));
   else if (m == WallMethod::open)
     out.error(key,
-              "wall.method is \"open\": it would not be there; remove the wall or choose "
+              "wall.method is \"open\", which has no effect; remove the wall or choose "
               "another method");
   else if (m == WallMethod::ghost && !box_inside && w.shape != Shape::plane)
     out.error(key,
-              "wall.method is \"ghost\", which mirrors at flat walls: a plane, or a box with "
+              "wall.method is \"ghost\", which needs a flat wall: a plane, or a box with "
               "side = \"inside\"; choose one of these or another method");
   else return check_solver(s, m, key, "wall.method", box_inside || w.shape == Shape::plane, out);
   return false;
 }
 
-/// A wall that is sampled must be wide enough to hold a sample.
+/// A wall with boundary particles must be thick enough to hold one.
 bool check_thickness(const Scene& s, std::size_t k, const std::string& at, Findings& out) {
   const Scene::Wall& w = s.wall[k];
   if (!is_sampled(s.wall_method(k)) || w.side == Side::inside) return true;
   const auto too_thin = [&](const char* key, double length, double least) {
     if (length >= least * (1 - 1e-6)) return false;
-    out.error(at + key, fmt::format("wall.{} is {}, and the wall's samples need {:.6g} at spacing "
-                                    "{}; make it larger or the spacing smaller",
-                                    key, length, least, s.particles.spacing));
+    out.error(at + key,
+              fmt::format("wall.{} is {}, and its boundary particles need at least {:.6g} "
+                          "at spacing {}; make it larger or the spacing smaller",
+                          key, length, least, s.particles.spacing));
     return true;
   };
   const bool round = w.shape == Shape::sphere || w.shape == Shape::cylinder;
@@ -119,7 +121,7 @@ bool check_thickness(const Scene& s, std::size_t k, const std::string& at, Findi
   return w.shape != Shape::cylinder || !too_thin("length", w.length, s.particles.spacing);
 }
 
-/// Names head the columns of tables.
+/// Names are headers of table columns: plain and unique.
 void check_names(const Scene& s, Findings& out) {
   const std::vector<std::string> names = s.wall_names();
   const std::size_t sides = names.size() - s.wall.size();
@@ -132,11 +134,11 @@ void check_names(const Scene& s, Findings& out) {
     });
     if (!plain)
       out.error(key,
-                "wall.name holds a comma, a quote or a control character, which a table "
-                "cannot; use letters, digits and _");
+                "wall.name has a comma, a quote or a control character, which tables do "
+                "not allow; use letters, digits and _");
     else if (!taken.insert(name).second)
       out.error(key, fmt::format("wall.name is \"{}\", which another wall or a side of the domain "
-                                 "has; give it another",
+                                 "has; choose another name",
                                  name));
   }
 }
@@ -146,8 +148,8 @@ bool check_wall(const Scene& s, std::size_t k, Findings& out) {
   const std::string at = fmt::format("wall[{}].", k);
   if (w.shape == Shape::lattice) {
     out.error(at + "shape",
-              "wall.shape is \"lattice\", which only a fluid has; a wall is a box, "
-              "sphere, cylinder, plane, mesh or points");
+              "wall.shape is \"lattice\"; a wall must be a box, sphere, cylinder, plane, "
+              "mesh or points; choose one");
     return false;
   }
   const WallMethod m = s.wall_method(k);
@@ -198,7 +200,7 @@ void check_sides(const Scene& s, Findings& out) {
     check_solver(s, WallMethod::adami2012, "walls.method", "walls.method", false, out);
   else if (!shared)
     out.unused("walls.method", "walls.method",
-               "every side that is not periodic has its own; remove it");
+               "every side that is not periodic has a method of its own; remove it");
   check_surface_keys(reflects, slips, "walls.", "walls", out);
 }
 

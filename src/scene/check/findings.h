@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What the checks of a scene share.
+/// Common parts of the checks of a scene.
 #pragma once
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 
 namespace freshet {
 
-/// Where a key stands; for one that was not given, the table that it belongs to or the file.
+/// The place of a key. For a key that is not set, the place of its table, or the file.
 std::string place_of(const Scene& scene, std::string key);
 
-/// Collects what is wrong, each at the place of the key that the remedy changes.
+/// Collects errors, each at the place of the key that the remedy changes.
 class Findings {
  public:
   explicit Findings(const Scene& scene) : scene_(scene) {}
@@ -21,7 +21,7 @@ class Findings {
     list.push_back({Diagnostic::Severity::error, place_of(scene_, key), std::move(message)});
   }
   bool given(const std::string& key) const { return scene_.places.contains(key); }
-  /// A key that was given although nothing reads it.
+  /// Reports a key that is set although nothing reads it.
   void unused(const std::string& key, const std::string& name, const std::string& remedy) {
     if (given(key)) error(key, fmt::format("{} is not used; {}", name, remedy));
   }
@@ -33,43 +33,43 @@ class Findings {
 
 inline constexpr const char* axis_names = "xyz";
 
-/// A fluid or a wall, and how messages call it.
+/// A fluid, a wall, an outlet or a body, and its name in messages.
 struct RegionAt {
   const Scene::Region& region;
   std::string path;  ///< "fluid[0]."
   std::string name;  ///< "fluid"
 };
 
-// One topic each. `scene` has its defaults filled in.
+// One topic per function. `scene` has its defaults filled in.
 void check_domain(const Scene& scene, Findings& out);
-void check_sizes(const Scene& scene, Findings& out);  ///< every vector has as many numbers
+void check_sizes(const Scene& scene, Findings& out);  ///< every vector has one number per axis
 void check_periodic(const Scene& scene, Findings& out);
 void check_resolution(const Scene& scene, Findings& out);
 void check_particles(const Scene& scene, Findings& out);
 void check_method(const Scene& scene, Findings& out);
 void check_gravity(const Scene& scene, Findings& out);
 void check_body_force(const Scene& scene, Findings& out);
-void check_forces(const Scene& scene, Findings& out);  ///< beside pressure
+void check_forces(const Scene& scene, Findings& out);  ///< the forces beside pressure
 void check_scheme(const Scene& scene, Findings& out);
 void check_time(const Scene& scene, Findings& out);
 void check_output(const Scene& scene, Findings& out);
-/// False where the shape is not one that the other checks can look at.
+/// False if the shape is invalid, so that other checks must skip it.
 bool check_region(const Scene& scene, const RegionAt& at, Findings& out);
-/// The points of a region's file; none where it cannot be read.
+/// The points of a region's file; empty if it cannot be read.
 std::optional<PointCloud> check_points(const Scene& scene, const RegionAt& at, Findings& out);
-/// False where the mesh of a region's file is none, or not one to be used so.
+/// False if the mesh of a region's file is invalid, or unsuitable for the region.
 bool check_mesh(const Scene& scene, const RegionAt& at, Findings& out);
 void check_fluids(const Scene& scene, bool walls_are_good, bool bodies_are_good, Findings& out);
-/// False where a wall's shape or method is not one that samples can be taken of.
+/// False if the shape or method of a wall is invalid, so that it cannot be sampled.
 bool check_walls(const Scene& scene, Findings& out);
 void check_sides(const Scene& scene, Findings& out);
-/// Inlets, outlets and counters. False where an inlet is not one that fluids can be looked at with.
+/// Inlets, outlets and counters. False if an inlet is invalid, so that fluids cannot be checked.
 bool check_flows(const Scene& scene, bool walls_are_good, Findings& out);
-/// False where a body is not one that samples can be taken of.
+/// False if a body is invalid, so that it cannot be sampled.
 bool check_bodies(const Scene& scene, bool walls_are_good, Findings& out);
 
 void check_body_names(const Scene& scene, Findings& out);
-/// The body of that name; none, told of at the key, where there is none.
+/// The body of that name. Null, and an error at the key, if it does not exist.
 const Scene::Body* find_body(const Scene& scene, const std::string& name, const std::string& at,
                              const std::string& key, Findings& out);
 

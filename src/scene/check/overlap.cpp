@@ -9,7 +9,7 @@ namespace {
 
 using FluidPair = std::pair<std::size_t, std::size_t>;
 
-/// Whether the lattices, in full, come closer than half a spacing. Points may be anywhere.
+/// Whether the complete lattices come closer than half a spacing. True for points, which have none.
 bool lattices_meet(const Lattice& a, const Lattice& b, double spacing) {
   const Vector last_a = a.last(spacing), last_b = b.last(spacing);
   for (std::size_t k = 0; k < std::min(last_a.size(), last_b.size()); ++k)
@@ -26,7 +26,7 @@ template <int D, class Test> bool any(const Places<D>& places, const Test& test)
   return met;
 }
 
-/// Place by place. A lattice is asked for the one place that may be near, without any list.
+/// Compares place by place. In a lattice only one place can be near, so that no list is needed.
 template <int D> bool places_meet(const Scene& s, std::size_t a, std::size_t b) {
   const Places<D> one(s, s.fluid[a]), two(s, s.fluid[b]);
   if (one.is_lattice()) return any(two, [&](Vec<D> x) { return one.comes_near(x); });

@@ -11,7 +11,7 @@
 namespace freshet {
 namespace {
 
-/// Whether a sample stands where the probe's piece of wall would ask it.
+/// Whether a boundary particle is close enough to act on the probe's piece of wall.
 template <class R> bool reaches(const Scene& s, const Scene::Probe& p, const std::vector<R>& x) {
   const auto n = std::size_t(s.dimension());
   const double reach = support_radius(s), half_cell = s.particles.spacing / 2;
@@ -43,8 +43,8 @@ std::vector<Diagnostic> probe_warnings(const Scene& s) {
         reaches(s, p, all.bodies.x))
       continue;
     list.push_back({Diagnostic::Severity::warning, place_of(s, fmt::format("probe[{}].from", k)),
-                    fmt::format("no sample of a wall is within a support, {:.4g} m, of this piece: "
-                                "it will tell 0; move it onto a wall",
+                    fmt::format("no boundary particle is within the support radius, {:.4g} m, of "
+                                "this probe: it will report 0; move it onto a wall",
                                 support_radius(s))});
   }
   return list;

@@ -6,7 +6,7 @@
 
 namespace freshet {
 
-/// What is doubtful about the probes of a good scene with its defaults filled in.
+/// Warnings about the probes of a valid scene with its defaults filled in.
 std::vector<Diagnostic> probe_warnings(const Scene& scene);
 
 }  // namespace freshet

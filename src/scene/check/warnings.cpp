@@ -41,17 +41,16 @@ class Warnings {
         s_.particles.support_radius ? "particles.support_radius" : "particles.spacing";
     const double spacings = d_.support_radius / d_.spacing;
     if (std::abs(d_.density_error) > 0.02 && s_.particles.mass)
-      warn(support,
-           fmt::format(
-               "a support of {:.3g} spacings sums the density of a resting lattice to {:.3f} of "
-               "its value; 2 spacings or more are accurate",
-               spacings, 1 + d_.density_error));
+      warn(support, fmt::format("with a support radius of {:.3g} spacings, the density of a "
+                                "resting lattice is {:.3f} of its true value; 2 spacings or "
+                                "more are accurate",
+                                spacings, 1 + d_.density_error));
     if (std::abs(d_.gradient_error) > 0.15)
-      warn(support,
-           fmt::format(
-               "a support of {:.3g} spacings has {:.1f} neighbours: pressure gradients are off by "
-               "{:+.0f} %; {} spacings or more are better",
-               spacings, d_.neighbors, 100 * d_.gradient_error, spacings < 2.5 ? "2.5" : "3"));
+      warn(support, fmt::format("a support radius of {:.3g} spacings has {:.1f} neighbours: "
+                                "pressure gradients are off by {:+.0f} %; {} spacings or more "
+                                "are better",
+                                spacings, d_.neighbors, 100 * d_.gradient_error,
+                                spacings < 2.5 ? "2.5" : "3"));
   }
   void room() {
     if (d_.outside > 0)
@@ -76,12 +75,12 @@ class Warnings {
       const double spacings = (s_.domain.max[j] - s_.domain.min[j]) / d_.spacing;
       if (s_.periodic(k) && std::abs(spacings - std::round(spacings)) > 0.01)
         warn("domain.periodic",
-             fmt::format("the domain is {:.4g} spacings long in {}, where it is periodic; with a "
-                         "whole number the particles' lattice goes on beyond its ends",
+             fmt::format("the domain is {:.4g} spacings long in {}, where it is periodic; a whole "
+                         "number continues the particles' lattice across its ends",
                          spacings, axis_names[k]));
     }
   }
-  /// What was mended in a file, which other programs may take otherwise.
+  /// Reports the defects of a mesh, because other programs may repair them differently.
   void mesh(const char* table, std::size_t k, const Scene::Region& region) {
     if (region.shape != Shape::mesh || !region.loaded) return;
     const MeshCondition& c = region.loaded->condition;
@@ -89,14 +88,14 @@ class Warnings {
     const auto tell = [&](std::int64_t count, const char* what) {
       if (count > 0) found.push_back(fmt::format("{} {}", what, count));
     };
-    tell(c.turned, "turned, as they faced the other way:");
-    tell(c.degenerate, "left out, as two corners lie in one place:");
-    tell(c.doubled, "left out, as they were there twice:");
-    tell(c.crowded, "edges that more than two share:");
+    tell(c.turned, "inverted triangles turned:");
+    tell(c.degenerate, "degenerate triangles removed:");
+    tell(c.doubled, "duplicate triangles removed:");
+    tell(c.crowded, "edges shared by more than two triangles:");
     const std::string key = fmt::format("{}[{}].file", table, k);
     if (!found.empty())
-      warn(key,
-           fmt::format("{} was mended; of its triangles {}", region.file, fmt::join(found, ", ")));
+      warn(key, fmt::format("{} has defects, repaired where possible: {}", region.file,
+                            fmt::join(found, ", ")));
     if (!c.closed())
       warn(key,
            fmt::format("{} has holes ({} open edges, the first near [{:.4g}, {:.4g}, {:.4g}]): "
@@ -111,7 +110,7 @@ class Warnings {
       if (!s_.method().incompressible() && d.speed > 0.15 * d_.sound_speed)
         warn(key,
              fmt::format("{} flows at {:.4g} m/s, more than a tenth of the speed of sound, "
-                         "{:.4g} m/s: it will be compressed; make {} larger, {:.3g} say",
+                         "{:.4g} m/s: it will be compressed; make {} larger, for example {:.3g}",
                          d.name, d.speed, d_.sound_speed,
                          s_.method().pressure == PressureFamily::linear ? "solver.stiffness"
                                                                         : "solver.sound_speed",
@@ -119,11 +118,11 @@ class Warnings {
                                                                         : 10 * d.speed));
       if (in.start >= s_.time.end)
         warn(fmt::format("inlet[{}].start", k),
-             fmt::format("{} starts at {:g} s, when the run is over: it brings nothing", d.name,
-                         in.start));
+             fmt::format("{} starts at {:g} s, not before the end of the run: it adds no particles",
+                         d.name, in.start));
     }
   }
-  /// Measured with six solvers (docs/forces.md).
+  /// Warns of a viscosity below the minimum that was measured with six solvers (docs/forces.md).
   void surface() {
     if (s_.solver.surface_tension_method != SurfaceTensionMethod::morris2000 ||
         s_.viscosity_method() == ViscosityMethod::artificial)
@@ -134,8 +133,8 @@ class Warnings {
           0.03 * std::sqrt(f.surface_tension.value_or(0) * f.rest_density * d_.spacing);
       if (f.viscosity < least)
         warn(fmt::format("fluid[{}].viscosity", k),
-             fmt::format("at this spacing a surface of morris2000 is calm from {:.2g} Pa s on, and "
-                         "the viscosity is {:g}; make it larger, or the spacing smaller",
+             fmt::format("at this spacing morris2000 needs {:.2g} Pa s or more for a calm surface, "
+                         "and the viscosity is {:g}; make it larger, or the spacing smaller",
                          least, f.viscosity));
     }
   }

@@ -155,7 +155,7 @@ void walls_keys(KeyVisitor& v, Scene::Walls& w) {
   wall_surface_keys(v, w.slip, w.restitution);
 }
 
-/// Of the solvers that solve for the pressure.
+/// The keys of the pressure solvers.
 void pressure_keys(KeyVisitor& v, Scene::Solver& s) {
   v.number("density_tolerance", s.density_tolerance,
            {.unit = "",

@@ -10,22 +10,22 @@
 
 namespace freshet {
 
-/// What is said of a key. A number must lie in [min, max], or (min, max] where `above` is set.
+/// Documentation and range of a key. A number must be in [min, max], or (min, max] with `above`.
 struct KeyDoc {
-  std::string_view unit;  ///< "" for a pure number or a word
+  std::string_view unit;  ///< "" for a dimensionless number or a name
   std::string_view text;
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   bool above = false;  ///< min itself is not allowed
   bool required = false;
-  std::string_view fallback = {};  ///< the default in words, where no number tells it
+  std::string_view fallback = {};  ///< the default in words, if it is not a fixed value
 };
 
 using Words = std::span<const char* const>;
 
-// The words of each choice, in the order of its enum.
+// The names of each choice, in the order of its enum.
 inline constexpr const char* axes_words[] = {"none", "x", "y", "xy", "z", "xz", "yz", "xyz"};
-// A wall has no lattice, which is the last.
+// Only a fluid has the last one, a lattice.
 inline constexpr const char* shape_words[] = {"box",    "sphere", "cylinder", "plane",
                                               "points", "mesh",   "lattice"};
 inline constexpr const char* side_words[] = {"inside", "outside"};
@@ -57,19 +57,19 @@ inline constexpr const char* motion_words[] = {"fixed", "moved", "free"};
 inline constexpr const char* interpolation_words[] = {"smooth", "linear"};
 inline constexpr const char* integrator_words[] = {"symplectic_euler", "leapfrog", "verlet"};
 
-/// Someone who walks the table: each call is a key, with the member of the scene that it fills.
+/// Visitor of the table: each call passes a key and the member of the scene that it sets.
 class KeyVisitor {
  public:
   virtual ~KeyVisitor() = default;
   virtual void section(std::string_view name, std::string_view text,
                        const std::function<void()>& keys) = 0;
-  /// A section that may stand several times: `resize(n)` makes room for n, `keys(k)` visits the
+  /// A section that may occur several times: `resize(n)` makes room for n, `keys(k)` visits the
   /// k-th.
   virtual void sections(std::string_view name, std::string_view text,
                         const std::function<void(std::size_t)>& resize,
                         const std::function<void(std::size_t)>& keys) = 0;
   virtual void text(std::string_view name, std::string& value, const KeyDoc& doc) = 0;
-  /// A text for each axis; `value` stays empty while there are none.
+  /// One text per axis; `value` is empty if the key is not set.
   virtual void texts(std::string_view name, std::vector<std::string>& value, const KeyDoc& doc) = 0;
   virtual void number(std::string_view name, double& value, const KeyDoc& doc) = 0;
   virtual void number(std::string_view name, std::optional<double>& value, const KeyDoc& doc) = 0;
@@ -77,21 +77,21 @@ class KeyVisitor {
   virtual void integer(std::string_view name, std::optional<std::int64_t>& value,
                        const KeyDoc& doc) = 0;
   virtual void vector(std::string_view name, Vector& value, const KeyDoc& doc) = 0;
-  /// As many numbers as `count`, whatever the dimension; `value` stays empty while there are none.
+  /// `count` numbers, in 2D and 3D; `value` is empty if the key is not set.
   virtual void numbers(std::string_view name, Vector& value, std::size_t count,
                        const KeyDoc& doc) = 0;
   virtual void boolean(std::string_view name, bool& value, const KeyDoc& doc) = 0;
   virtual void counts(std::string_view name, Counts& value, const KeyDoc& doc) = 0;
-  /// A number, or a word in its place, which sets `is_word`.
+  /// A number, or `word`, which sets `is_word`.
   virtual void number_or_word(std::string_view name, double& value, bool& is_word, const char* word,
                               const KeyDoc& doc) = 0;
-  /// The place of a word among `words`; -1 while there is none.
+  /// The index of a word in `words`; -1 if the key is not set and has no default.
   virtual void word(std::string_view name, int& value, Words words, const KeyDoc& doc) = 0;
-  /// The places of several words among `words`, each once.
+  /// The indices of several words in `words`, each at most once.
   virtual void word_list(std::string_view name, std::vector<int>& value, Words words,
                          const KeyDoc& doc) = 0;
 
-  /// An enum whose values are the places of its words.
+  /// An enum whose values are the indices of its names.
   template <class E> void choice(std::string_view name, E& value, Words words, const KeyDoc& doc) {
     int index = static_cast<int>(value);
     word(name, index, words, doc);

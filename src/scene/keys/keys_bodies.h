@@ -4,10 +4,10 @@
 
 namespace freshet {
 
-/// Where a fluid, a wall or a body stands.
+/// The shape and place of a fluid, a wall, an outlet or a body.
 void region_keys(KeyVisitor& visitor, Scene::Region& region, Words shapes, const KeyDoc& shape,
                  const KeyDoc& side);
-/// Of what may be read from a file.
+/// The keys of a region that is read from a file.
 void file_keys(KeyVisitor& visitor, Scene::Region& region);
 
 /// The keys of [[body]] and [[joint]].

@@ -5,7 +5,7 @@
 namespace freshet {
 
 void inlet_keys(KeyVisitor& visitor, Scene::Inlet& inlet);
-/// What an outlet has beside the keys of its region.
+/// The keys of an outlet except those of its region.
 void outlet_keys(KeyVisitor& visitor, Scene::Outlet& outlet);
 void counter_keys(KeyVisitor& visitor, Scene::Counter& counter);
 

@@ -6,7 +6,7 @@ namespace freshet {
 
 inline constexpr const char* density_unit = "kg/m² in 2D, kg/m³ in 3D";
 
-/// The part of the table that does not change a run: output, picture, camera, checks.
+/// The keys that do not change the simulation: output, picture, camera, checks.
 void output_keys(KeyVisitor& visitor, Scene& scene);
 
 }  // namespace freshet

@@ -29,7 +29,7 @@ std::string read_file(const std::filesystem::path& file) {
     return fail("this is a folder; name a scene file (*.toml) in it");
   if (!std::filesystem::is_regular_file(status)) return fail("not a file; name a scene file");
   if (std::filesystem::file_size(file, ec) > largest_scene)
-    return fail("larger than 16 MiB; that is not a scene file");
+    return fail("larger than 16 MiB, the limit of a scene file; check the path");
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   if (!in || !(text << in.rdbuf() || in.peek() == std::ifstream::traits_type::eof()))
@@ -37,12 +37,13 @@ std::string read_file(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// What usually helps against a syntax error, by what the parser says of it.
+/// Remedies for syntax errors, by a part of the parser's message.
 constexpr const char* syntax_remedies[][2] = {
     {"unknown escape sequence", "write \\\\ for a backslash, or quote with '...'"},
     {"could not determine value type", "words need quotes: \"word\""},
-    {"saw ','", "decimals take a point, several numbers take brackets: [1.0, 2.0]"},
-    {"expected a comment or whitespace", "one value stands on a line, units in a comment: # m"},
+    {"saw ','", "write decimals with a point, and several numbers in brackets: [1.0, 2.0]"},
+    {"expected a comment or whitespace",
+     "write one value per line, and its unit in a comment: # m"},
     {"unescaped control characters", "close the quotes on the same line, or write it as \\uXXXX"},
     {"cannot redefine existing table 'fluid'", "for several fluids, write each as [[fluid]]"},
     {"cannot redefine", "keep one of the two"},
@@ -56,7 +57,7 @@ constexpr const char* syntax_remedies[][2] = {
     {"invalid utf-8", "save the file as UTF-8"},
     {"expected keys, tables", "write KEY = VALUE or [TABLE]; is it a scene file?"}};
 
-/// The parser's words on a syntax error as a sentence of ours, with a remedy where one is known.
+/// The parser's message about a syntax error, reworded, with a remedy if one is known.
 std::string syntax_message(std::string words) {
   constexpr std::string_view parsing = "Error while parsing ";
   if (const auto colon = words.find(": "); words.starts_with(parsing) && colon != words.npos) {
@@ -77,8 +78,8 @@ std::string syntax_message(std::string words) {
 toml::table parse_toml(const std::string& text, const std::string& name) {
   if (const NestingScan scan(text); scan.too_deep())
     throw Error(Error::Kind::scene, fmt::format("{}:{}:1", name, scan.line()),
-                fmt::format("keys or brackets nest more than {} deep in this line; "
-                            "no scene does, is it a scene file?",
+                fmt::format("keys or brackets are nested too deeply in this line; at most {} "
+                            "levels are allowed; is it a scene file?",
                             NestingScan::deepest));
   try {
     return toml::parse(text, name);
@@ -89,7 +90,7 @@ toml::table parse_toml(const std::string& text, const std::string& name) {
   }
 }
 
-/// In the order of the file, and no more than a screen of them.
+/// Throws the errors in the order of the file, at most `most_errors` of them.
 void throw_errors(std::vector<Diagnostic> errors, const SceneReader& reader,
                   const std::string& name) {
   if (errors.empty()) return;
@@ -101,12 +102,12 @@ void throw_errors(std::vector<Diagnostic> errors, const SceneReader& reader,
     errors.resize(most_errors);
     errors.push_back(
         {Diagnostic::Severity::error, name,
-         fmt::format("and {} more error{}; mend these first", rest, rest == 1 ? "" : "s")});
+         fmt::format("and {} more error{}; fix these first", rest, rest == 1 ? "" : "s")});
   }
   throw Error(Error::Kind::scene, std::move(errors));
 }
 
-/// The scene as it is run, for the folder of the run.
+/// The scene with its overrides, for the run folder.
 std::string merged_source(const toml::table& table, const std::vector<Override>& overrides) {
   std::ostringstream merged;
   merged << "# as run; set on the command line:\n";
@@ -115,7 +116,7 @@ std::string merged_source(const toml::table& table, const std::vector<Override>&
   return merged.str();
 }
 
-/// Files are named relative to the scene.
+/// Resolves file names, which are relative to the scene file.
 void find_files(Scene& scene, const std::string& name) {
   const std::filesystem::path folder = std::filesystem::path(name).parent_path();
   const auto find = [&](Scene::Region& r) {

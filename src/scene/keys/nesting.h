@@ -6,9 +6,9 @@
 
 namespace freshet {
 
-/// Finds the first place of a TOML text where brackets nest, or the parts of a key follow each
-/// other, deeper than any scene does. The parser's tables are destroyed recursively, so that a
-/// hostile text could use up the stack; this scan keeps no stack at all.
+/// Finds the first place of a TOML text where brackets or the parts of a key nest deeper than
+/// `deepest`. The parser destroys its tables recursively, so that a hostile text could overflow the
+/// stack. This scan needs no stack.
 class NestingScan {
  public:
   static constexpr int deepest = 32;
@@ -38,7 +38,7 @@ class NestingScan {
       at_ += 3;
       skip_to(triple, quote == '"');
       at_ = std::min(at_ + 3, text_.size());
-      while (at_ < text_.size() && text_[at_] == quote) ++at_;  // up to two more belong to it
+      while (at_ < text_.size() && text_[at_] == quote) ++at_;  // its text may end with quotes
       return;
     }
     const char ends[] = {quote, 0};
@@ -46,10 +46,10 @@ class NestingScan {
     skip_to(ends, quote == '"');
     at_ = std::min(at_ + 1, text_.size());
   }
-  /// Up to `end`; a backslash hides the character after it where `escapes` is set.
+  /// Skips to `end`. With `escapes`, a backslash hides the character after it.
   void skip_to(std::string_view end, bool escapes = false) {
     while (at_ < text_.size() && text_.substr(at_, end.size()) != end) {
-      if (end.size() == 1 && text_[at_] == '\n') return;  // the string was not closed
+      if (end.size() == 1 && text_[at_] == '\n') return;  // the string is not closed
       at_ += escapes && text_[at_] == '\\' ? 2 : 1;
     }
     at_ = std::min(at_, text_.size());

@@ -16,7 +16,7 @@ namespace {
   throw Error(Error::Kind::scene, "override " + key, message);
 }
 
-/// "fluid[2]" -> {"fluid", 2}; -1 without a count.
+/// "fluid[2]" -> {"fluid", 2}; -1 without an index.
 std::pair<std::string, int> split_count(const std::string& key, const std::string& segment) {
   const auto open = segment.find('[');
   const std::string name = segment.substr(0, open);
@@ -38,7 +38,7 @@ void put(toml::table& table, const std::string& name, const toml::node& value) {
   value.visit([&](const auto& v) { table.insert_or_assign(name, v); });
 }
 
-/// Steps from `table` into the table called `segment`, which is made if there is none.
+/// The table `segment` of `table`; creates it if it is missing.
 toml::table& enter(toml::table& table, const std::string& key, const std::string& segment,
                    std::string& path) {
   const auto [name, count] = split_count(key, segment);
@@ -50,8 +50,8 @@ toml::table& enter(toml::table& table, const std::string& key, const std::string
     if (!array->is_homogeneous<toml::table>())
       fail(key, fmt::format("{} is a value, not a table of keys", name));
     if (count < 0 && array->size() != 1)
-      fail(key, fmt::format("there are {} {}; say which: {}[0] to {}[{}]", array->size(), name,
-                            name, name, array->size() - 1));
+      fail(key, fmt::format("there are {} tables {}; choose one of {}[0] to {}[{}]", array->size(),
+                            name, name, name, array->size() - 1));
     if (k >= array->size() || !array->get(k)->is_table())
       fail(key, fmt::format("there is no {}[{}]; the scene has {}", name, k, array->size()));
     path += fmt::format("[{}].", k);
@@ -59,7 +59,7 @@ toml::table& enter(toml::table& table, const std::string& key, const std::string
   }
   if (!node.is_table()) fail(key, fmt::format("{} is a value, not a table of keys", name));
   if (count > 0) fail(key, fmt::format("there is no {}[{}]; the scene has 1", name, count));
-  // the one [fluid] is fluid[0], as the reader of the scene counts it
+  // a single [fluid] has the path fluid[0], as in SceneReader
   static constexpr const char* several[] = {"fluid",  "wall",  "inlet", "outlet", "counter",
                                             "camera", "probe", "body",  "joint"};
   const bool one_of_them =
@@ -70,7 +70,9 @@ toml::table& enter(toml::table& table, const std::string& key, const std::string
 
 toml::table parse_value(const std::string& key, const std::string& value) {
   const std::string text = "value = " + value;
-  if (NestingScan(text).too_deep()) fail(key, "the value nests too deep; no key takes that");
+  if (NestingScan(text).too_deep())
+    fail(key, fmt::format("the value is nested too deeply; at most {} levels are allowed",
+                          NestingScan::deepest));
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& e) {
@@ -101,7 +103,7 @@ std::map<std::string, std::string> apply_overrides(toml::table& root,
     const auto [name, count] = split_count(key, names.back());
     if (count >= 0) fail(key, "names a whole table; name one of its keys");
     toml::table parsed = parse_value(key, value);
-    // "1\nother = 2" is TOML too, but not one value
+    // "1\nother = 2" is valid TOML, but more than one value
     put(*table, name,
         parsed.size() == 1 ? *parsed.get("value")
                            : static_cast<const toml::node&>(toml::value{value}));

@@ -6,9 +6,10 @@
 
 namespace freshet {
 
-/// Puts `KEY=VALUE` pairs into the table: VALUE is TOML, else a string. KEY may count the tables of
-/// an array: fluid[1].velocity; without a count it means the only one.
-/// Returns where they went: "fluid[0].count" -> "--set fluid.count". Throws Error (kind scene).
+/// Puts `KEY=VALUE` pairs into the table. VALUE is read as TOML, and taken as a string if that
+/// fails. KEY may have an index into an array of tables: fluid[1].velocity. Without an index the
+/// array must have one table. Returns where each value came from: "fluid[0].count" -> "--set
+/// fluid.count". Throws Error (kind scene) for an invalid key.
 std::map<std::string, std::string> apply_overrides(toml::table& root,
                                                    const std::vector<Override>& overrides);
 

@@ -12,10 +12,10 @@
 namespace freshet {
 namespace {
 
-constexpr double largest = 1e15, smallest = 1e-30;  // in SI units; 32-bit numbers still hold them
-constexpr double largest_whole = 9e15;              // a double still holds it exactly
+constexpr double largest = 1e15, smallest = 1e-30;  // in SI units; 32-bit numbers hold both
+constexpr double largest_whole = 9e15;              // a double holds it exactly
 
-/// A name or a string on one line, without control characters and not too long.
+/// A name or a string for messages: one line, no control characters, at most 40 bytes.
 std::string printable(std::string_view words) {
   constexpr std::size_t longest = 40;
   std::size_t end = std::min(words.size(), longest);
@@ -38,7 +38,7 @@ std::string found(const toml::node& node) {
   return node.is_table() ? "a table" : "a date or time";
 }
 
-/// NaN where the node is no number.
+/// NaN if the node is not a number.
 double number_of(const toml::node& node) {
   if (const auto* i = node.as_integer()) return double(i->get());
   const auto* f = node.as_floating_point();
@@ -54,7 +54,7 @@ struct Range {
   }
 };
 
-/// What a key may be; bounds that go without saying are told only to a value beyond them.
+/// The allowed values of a key. The limits of all keys are named only for values beyond them.
 std::string limits(const toml::node& node, const KeyDoc& doc, bool whole) {
   const Range range(doc, whole);
   const double value = number_of(node);
@@ -68,16 +68,16 @@ std::string limits(const toml::node& node, const KeyDoc& doc, bool whole) {
   return text + (doc.unit.empty() ? "" : fmt::format(" ({})", doc.unit));
 }
 
-/// How many numbers domain.max has; 0 where it is no vector.
+/// The size of domain.max; 0 if it is not a vector.
 std::size_t dimension_of(const toml::table& root) {
   const toml::array* max = root["domain"]["max"].as_array();
   return max && (max->size() == 2 || max->size() == 3) ? max->size() : 0;
 }
 
-/// What a vector must be.
+/// The allowed values of a vector.
 std::string vector_words(std::size_t dimension, const char* numbers) {
   if (dimension == 0) return fmt::format("2 or 3 {}, [x, y] or [x, y, z]", numbers);
-  return fmt::format("{} {}, {}, as domain.max has", dimension, numbers,
+  return fmt::format("{} {}, {}, like domain.max", dimension, numbers,
                      dimension == 2 ? "[x, y]" : "[x, y, z]");
 }
 
@@ -216,9 +216,10 @@ void SceneReader::texts(std::string_view name, std::vector<std::string>& value, 
                                        [](const toml::node& e) { return e.is_string(); });
   if (!all)
     return reject(node->source(), fmt::format("{}{}", scope_.path, name),
-                  fmt::format("{}{} is {}; it must be a list of strings, one an axis: "
+                  fmt::format("{}{} is {}; it must be a list of strings, one per axis: "
                               "[\"0\", \"-9.81\"]",
-                              scope_.name, name, list ? "a list of other things" : found(*node)));
+                              scope_.name, name,
+                              list ? "a list with values that are not strings" : found(*node)));
   for (const toml::node& e : *list) value.push_back(e.as_string()->get());
 }
 
@@ -348,7 +349,7 @@ void SceneReader::word_list(std::string_view name, std::vector<int>& value, Word
   for (std::size_t k = 0; k < list->size(); ++k) {
     const std::string path = fmt::format("{}[{}]", name, k);
     const int place = read_word(path, *list->get(k), words);
-    if (place < 0) return;  // one wrong word tells what the others may be
+    if (place < 0) return;  // the first error lists all allowed names
     if (std::find(value.begin(), value.end(), place) != value.end())
       return reject(list->get(k)->source(), scope_.path + path,
                     fmt::format("{}{} has \"{}\" twice; name it once", scope_.name, name,

@@ -11,18 +11,19 @@ namespace freshet {
 
 class SceneReader final : public KeyVisitor {
  public:
-  /// `overridden` maps the paths that --set gave ("fluid[0].count") to "--set KEY".
+  /// `overridden` maps the paths that --set sets ("fluid[0].count") to "--set KEY".
   SceneReader(const toml::table& root, std::string file,
               std::map<std::string, std::string> overridden);
 
   const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
-  /// Where every key and every table that was given stands; the file itself is "".
+  /// The place of every key and table in the scene, by path; the file itself has the path "".
   const std::map<std::string, std::string>& places() const { return places_; }
-  /// The sections with a key that is missing or could not be read.
+  /// The sections with a missing or invalid key.
   const std::set<std::string, std::less<>>& unread() const { return unread_; }
-  /// Of a place in messages, to sort them by; the start of the file where it is not in it.
+  /// The position by which the messages of a place are sorted; the start of the file for a place
+  /// outside it.
   toml::source_position position(const std::string& place) const;
-  /// Tells of keys at the top that no one asked for; call it last.
+  /// Reports unknown keys at the top level; call it last.
   void finish() { report_unknown(); }
 
   void section(std::string_view name, std::string_view text,
@@ -48,7 +49,7 @@ class SceneReader final : public KeyVisitor {
                  const KeyDoc& doc) override;
 
  private:
-  struct Scope {  // the table that keys are read from now
+  struct Scope {  // the table that keys are read from
     const toml::table* table;
     std::string path;  // "" or "fluid[0]."
     std::string name;  // "" or "fluid."
@@ -59,21 +60,21 @@ class SceneReader final : public KeyVisitor {
   void read_table(const toml::table& table, std::string path, std::string name,
                   const std::function<void()>& keys);
   std::optional<double> read_number(std::string_view name, const KeyDoc& doc, bool whole);
-  /// The number if it is one that the key may have.
+  /// The number if the key allows it; otherwise an error.
   std::optional<double> in_range(const std::string& name, const toml::node& node, const KeyDoc& doc,
                                  bool whole);
-  /// As many numbers as the domain has, or as `count` says.
+  /// Reads `count` numbers, or one per axis of the domain if `count` is 0.
   Vector read_array(std::string_view name, const KeyDoc& doc, bool whole, std::size_t count = 0);
-  /// The place of the word that the node is among `words`; -1, and an error, where it is none.
+  /// The index of the node's word in `words`; -1, and an error, for anything else.
   int read_word(const std::string& name, const toml::node& node, Words words);
   void report_unknown();
   void complain(const toml::source_region& where, const std::string& path, std::string message);
-  /// The same of a key without whose value the checks of its section make no sense.
+  /// Adds an error and marks the section of the key as unread, which skips its checks.
   void reject(const toml::source_region& where, const std::string& path, std::string message);
   std::string place_of(const toml::source_region& where, const std::string& path);
 
   std::string file_;
-  std::size_t dimension_;  // as many numbers as domain.max has; 0 where that is neither 2 nor 3
+  std::size_t dimension_;  // size of domain.max; 0 if it is neither 2 nor 3
   std::map<std::string, std::string> overridden_, places_;
   std::map<std::string, toml::source_position> positions_;
   std::set<std::string, std::less<>> unread_;

@@ -7,7 +7,8 @@
 namespace freshet {
 namespace {
 
-/// Edits between two words, a swap of neighbours counting as one (optimal string alignment).
+/// The edit distance of two words; a swap of adjacent letters is one edit (optimal string
+/// alignment).
 std::size_t distance(std::string_view a, std::string_view b) {
   const std::size_t row = b.size() + 1;
   std::vector<std::size_t> all((a.size() + 1) * row);
@@ -35,7 +36,8 @@ std::string nearest(std::string_view typed, const std::set<std::string, std::les
   std::size_t least = std::max<std::size_t>(1, typed.size() / 3) + 1;
   for (const std::string& word : words) {
     const std::size_t shorter = std::min(typed.size(), word.size());
-    if (std::max(typed.size(), word.size()) - shorter >= least) continue;  // so far apart at least
+    if (std::max(typed.size(), word.size()) - shorter >= least)
+      continue;  // their lengths differ too much
     if (const std::size_t d = distance(typed, word); d < least) least = d, best = word;
   }
   return best;

@@ -6,8 +6,9 @@
 
 namespace freshet {
 
-/// The word nearest to `typed` (insert, delete, replace, swap: at most a third of its letters, and
-/// at least one), or "" where none is near: the "did you mean" of every message.
+/// The word nearest to `typed`, for "did you mean" in messages. Inserting, deleting, replacing and
+/// swapping a letter are one edit each. Returns "" if every word needs more edits than a third of
+/// the letters of `typed` (at least one edit is allowed).
 std::string nearest(std::string_view typed, const std::set<std::string, std::less<>>& words);
 
 }  // namespace freshet

@@ -7,7 +7,7 @@
 
 namespace freshet {
 
-/// The red, green and blue of picture.background, a word or "#rrggbb"; none of anything else.
+/// Red, green and blue of picture.background, a name or "#rrggbb"; empty for any other text.
 std::optional<std::array<std::uint8_t, 3>> background_color(std::string_view text);
 
 }  // namespace freshet

@@ -26,8 +26,8 @@ TriangleMesh box(const Scene::Body& b) {
   return m;
 }
 
-/// Rings of `around` points about an axis, from its lower end to its upper one; each a distance
-/// along the axis and a radius. The ends are points.
+/// A surface of revolution: rings of `around` points about an axis, from its lower to its upper
+/// end. Each ring is a distance along the axis and a radius, which is 0 at both ends.
 TriangleMesh turned(Point center, Point axis, const std::vector<Vec<2, double>>& rings) {
   const Point side = std::abs(axis.x) < 0.9 ? Point{1, 0, 0} : Point{0, 1, 0};
   Point u = cross(axis, side);
@@ -46,7 +46,7 @@ TriangleMesh turned(Point center, Point axis, const std::vector<Vec<2, double>>&
       m.triangles.push_back({at(r, k), at(r, k + 1), at(r + 1, k + 1)});
       m.triangles.push_back({at(r, k), at(r + 1, k + 1), at(r + 1, k)});
     }
-  mend_mesh(m);  // the ends' many points are one
+  mend_mesh(m);  // merges the points of each end
   return m;
 }
 

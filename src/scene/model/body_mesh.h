@@ -5,7 +5,7 @@
 
 namespace freshet {
 
-/// The surface of a body in 3D where it stands at the start, round ones by small triangles.
+/// The surface of a body in 3D at the start. Round surfaces consist of small triangles.
 TriangleMesh body_mesh(const Scene::Body& body);
 
 /// A surface as a Wavefront OBJ file, about the point `origin`.

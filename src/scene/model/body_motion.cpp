@@ -17,7 +17,7 @@ namespace freshet {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double little = 1e-4;  // [s]: between the places that a rate is taken from
+constexpr double little = 1e-4;  // [s]: step of the finite differences
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r\"");
@@ -35,7 +35,7 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   return cells;
 }
 
-/// The column's place among time, x, y, z and angle, whatever unit stands behind the name.
+/// The index of a column among time, x, y, z and angle. A unit after the name is ignored.
 std::optional<std::size_t> column_of(std::string_view name) {
   static constexpr std::string_view names[] = {"time", "x", "y", "z", "angle"};
   name = trimmed(name.substr(0, name.find('[')));
@@ -58,9 +58,9 @@ class PathReader {
       if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
       if (columns_.empty()) read_header(line);
       else read_row(line);
-      if (keys_.size() > 1000000) fail("holds more than a million key frames; thin it out");
+      if (keys_.size() > 1000000) fail("has more than a million key frames; remove some");
     }
-    if (keys_.size() < 2) fail("holds fewer than two key frames; give one a line");
+    if (keys_.size() < 2) fail("has fewer than two key frames; write one per line");
     return std::move(keys_);
   }
 
@@ -75,30 +75,35 @@ class PathReader {
       const auto column = column_of(cell);
       if (!column || (*column == 3 && dimension_ == 2))
         fail(
-            fmt::format("the column \"{}\" is none of time, x, y{} and angle, which the first line "
-                        "names; remove it or rename it",
+            fmt::format("the column \"{}\" is unknown; the first line may name time, x, y{} and "
+                        "angle; remove it or rename it",
                         cell, dimension_ == 3 ? ", z" : ""));
       columns_.push_back(*column);
     }
     if (std::find(columns_.begin(), columns_.end(), 0u) == columns_.end())
-      fail("the first line names no column time; name the columns there, time among them");
+      fail("the first line has no column time; name the columns there, including time");
   }
   void read_row(const std::string& line) {
     const auto cells = cells_of(line);
     if (cells.size() != columns_.size())
-      fail(fmt::format("this line has {} numbers, and the first names {} columns; give as many",
-                       cells.size(), columns_.size()));
+      fail(fmt::format(
+          "this line has {} numbers, and the first line names {} columns; write one number "
+          "per column",
+          cells.size(), columns_.size()));
     double value[5] = {};
     for (std::size_t k = 0; k < cells.size(); ++k) {
       double& v = value[columns_[k]];
       const auto [end, error] =
           std::from_chars(cells[k].data(), cells[k].data() + cells[k].size(), v);
       if (error != std::errc() || end != cells[k].data() + cells[k].size() || !std::isfinite(v))
-        fail(fmt::format("\"{}\" is no number; write numbers like 0.5 or 1e-3", cells[k]));
+        fail(
+            fmt::format("\"{}\" is not a finite number; write numbers like 0.5 or 1e-3", cells[k]));
     }
     if (!keys_.empty() && !(value[0] > keys_.back().time))
-      fail(fmt::format("the time {:g} s is not after the line before, {:g} s; sort the lines",
-                       value[0], keys_.back().time));
+      fail(fmt::format(
+          "the time {:g} s is not after that of the previous line, {:g} s; sort the lines "
+          "by time",
+          value[0], keys_.back().time));
     keys_.push_back({value[0], Vector(value + 1, value + 1 + dimension_), value[4]});
   }
 
@@ -159,7 +164,7 @@ Displacement PrescribedMotion::at(double time) const {
   if (!functions_) return between_keys(time);
   Displacement d;
   d.value = functions_at(time);
-  const bool start = time < 2 * little;  // a function may have no value before it
+  const bool start = time < 2 * little;  // a function may be undefined before t = 0
   const double weights[2][5] = {{1, -8, 0, 8, -1}, {-25, 48, -36, 16, -3}};
   for (int k = 0; k < 5; ++k) {
     const auto v = functions_at(time + (start ? k : k - 2) * little);

@@ -11,23 +11,24 @@ namespace freshet {
 /// The key frames in a CSV file. Throws Error (kind scene) at FILE, or at FILE:LINE.
 std::vector<Scene::Body::Key> read_body_path(const std::filesystem::path& file, int dimension);
 
-/// How far a moved body is from its place at the start, and how fast: x, y, z [m, m/s], and the
-/// angle about its pivot [rad, rad/s].
+/// The displacement of a moved body from its start, and its rate: x, y, z [m, m/s] and the angle
+/// about its pivot [rad, rad/s].
 struct Displacement {
   std::array<double, 4> value{}, rate{};
 };
 
 /// The prescribed motion of a body of a scene with its defaults filled in.
 ///
-/// Functions: by value, their rates by central differences of fourth order. Key frames: a cubic
-/// between two of them whose slopes are those of the parabola through three, zero at the first and
-/// the last; or straight lines. Before the first and after the last it stands still.
+/// The rates of functions are finite differences of fourth order: central, and one-sided at the
+/// start. Between key frames the motion is linear or a cubic. The slope of the cubics at a key
+/// frame is that of the parabola through it and its neighbours; it is 0 at the first and the last.
+/// The body is at rest before the first key frame and after the last.
 class PrescribedMotion {
  public:
   PrescribedMotion(const Scene::Body& body, int dimension);
   PrescribedMotion(PrescribedMotion&&) noexcept;
   ~PrescribedMotion();
-  /// Not for two threads at once.
+  /// Not thread-safe.
   Displacement at(double time) const;
 
  private:

@@ -15,7 +15,7 @@ using Point = Vec<3, double>;
 
 Point point_of(const Vector& v) { return {v[0], v[1], v.size() == 3 ? v[2] : 0.0}; }
 
-/// inertia += (trace of s) - s, where s are the second moments about the centre.
+/// inertia = (trace of s) I - s, where s are the second moments about the centre.
 void set_inertia(BodyShape& b, const double (&s)[3][3]) {
   const double trace = s[0][0] + s[1][1] + s[2][2];
   for (int i = 0; i < 3; ++i)
@@ -66,7 +66,7 @@ BodyShape cylinder(const Scene::Body& r) {
   return b;
 }
 
-/// By the tetrahedra that its triangles make with a point.
+/// Sums over the tetrahedra that the triangles form with one point.
 BodyShape mesh(const TriangleMesh& m) {
   BodyShape b;
   const Point from = m.points[0];

@@ -5,18 +5,18 @@
 
 namespace freshet {
 
-/// What a body of density 1 weighs, and how it is spread, where it stands at the start; of a scene
-/// in 2D a metre of it, in the plane z = 0.
+/// Volume, centre of mass and inertia of a body at the start. In 2D the body is one metre deep, and
+/// its centre is in the plane z = 0.
 struct BodyShape {
   double volume = 0;          ///< [m³]; in 2D the area [m²]
   Vec<3, double> center{};    ///< of mass [m]
-  double inertia[3][3] = {};  ///< about it, over the density [m⁵]; in 2D zz counts [m⁴]
-  double reach = 0;           ///< from the centre to its farthest place [m]
+  double inertia[3][3] = {};  ///< about the centre, per density [m⁵]; in 2D zz counts [m⁴]
+  double reach = 0;           ///< from the centre to the farthest point [m]
 };
-/// Whether this build moves free bodies: it does where it found Bullet.
+/// Whether this build moves free bodies, which needs Bullet.
 bool moves_free_bodies();
 
-/// Of a scene with its defaults filled in.
+/// The body must be of a scene with its defaults filled in.
 BodyShape body_shape(const Scene::Body& body);
 
 }  // namespace freshet

@@ -6,7 +6,7 @@
 namespace freshet {
 namespace {
 
-/// Bytes of a particle in a format, and of what stands around all particles.
+/// Bytes per particle in a format, and of the rest of the file.
 struct Cost {
   double particle, file;
 };
@@ -23,7 +23,7 @@ Cost cost_of(DataFormat format, const Scene& s, double particles) {
   };
   const double d = s.dimension(), real = s.output.precision == Precision::float16 ? 2 : 4;
   switch (format) {
-    case DataFormat::vtp:  // and a cell of 8 bytes, so that each point is seen
+    case DataFormat::vtp:  // plus a cell of 8 bytes, which makes the point visible
       return {sum(12, 12, 4, 4, 8) + 8, 1700};
     case DataFormat::ply:
       return {sum(12, 12, 4, 4, particles > 4294967296.0 ? 8 : 4), 350};

@@ -4,8 +4,8 @@
 
 namespace freshet {
 
-/// What the data files of one moment take, in all the formats of the scene [bytes]; text by the
-/// usual length of its numbers, and float16 as if every field fits it.
+/// The size of the data files of one time, in all formats of the scene [bytes]. The size of text is
+/// estimated from the usual length of its numbers; float16 is assumed to hold every field.
 double data_bytes(const Scene& scene, double particles);
 
 }  // namespace freshet

@@ -17,8 +17,8 @@
 namespace freshet {
 namespace {
 
-/// The share of a linear field's slope that the discrete gradient sees on the lattice, less 1:
-/// -sum_j dx^D x_j d/dx W(x_j), which is 1 in the continuum.
+/// The relative error of the discrete gradient of a linear field on the lattice:
+/// -sum_j dx^D x_j d/dx W(x_j) - 1. The sum is 1 in the continuum.
 template <int D, class Kernel>
 double gradient_error(const Kernel& W, double spacing, double support) {
   double sum = 0;
@@ -30,7 +30,7 @@ double gradient_error(const Kernel& W, double spacing, double support) {
 
 template <int D> int neighbors_within(double support, double spacing) {
   const int m = int(support / spacing) + 1, mz = D == 3 ? m : 0;
-  int count = -1;  // not itself
+  int count = -1;  // the particle itself does not count
   for (int kz = -mz; kz <= mz; ++kz)
     for (int ky = -m; ky <= m; ++ky)
       for (int kx = -m; kx <= m; ++kx)
@@ -38,7 +38,7 @@ template <int D> int neighbors_within(double support, double spacing) {
   return count;
 }
 
-/// f(kernel of the density, kernel of the gradient).
+/// Calls f(density kernel, gradient kernel).
 template <int D, class F> void with_kernels(const Scene& s, Real support, F f) {
   const auto same = [&](const auto& W) { f(W, W); };
   if (s.method().has_own_kernels()) return f(Poly6<D>(support), Spiky<D>(support));
@@ -81,7 +81,8 @@ double norm_of(const Vector& a) {
   return a.size() == 3 ? std::hypot(a[0], a[1], a[2]) : std::hypot(a[0], a[1]);
 }
 
-/// The square of the fastest fall inside the domain, 2 |g| H, H its extent along gravity.
+/// The square of the maximum speed of a fall in the domain, 2 |g| H [m²/s²]; H is the extent of the
+/// domain along gravity.
 double fastest_fall2(const Scene& s) {
   const double gravity = norm_of(s.domain.gravity);
   double height = 0;
@@ -102,13 +103,13 @@ void derive_liquids(const Scene& s, Derived& d) {
     d.viscosity = std::max(d.viscosity, l.viscosity * (d.rest_density / l.rest_density));
 }
 
-/// Of the viscosities that act explicitly.
+/// The time-step limit of the explicit viscosities [s].
 double viscous_step(const Scene& s, const Derived& d, double h) {
   const ViscosityMethod method = s.viscosity_method();
   double nu = method == ViscosityMethod::monaghan2005 || method == ViscosityMethod::morris1997
                   ? d.viscosity / d.rest_density
                   : 0;
-  // what Monaghan's term amounts to [Monaghan 2005, sec. 3.2]: nu = alpha h c/(2 (D + 2))
+  // of Monaghan's term [Monaghan 2005, sec. 3.2]: nu = alpha h c/(2 (D + 2))
   if (s.method().weakly_compressible())
     nu = std::max(
         nu, artificial_viscosity(s) * h * d.sound_speed * d.lightness / (2 * (s.dimension() + 2)));
@@ -129,7 +130,7 @@ void derive_steps(const Scene& s, Derived& d) {
           0.25 * std::sqrt(f.rest_density * h * h * h / (2 * double(pi) * *f.surface_tension)));
 }
 
-/// The fastest at the start [m/s].
+/// The maximum speed at the start [m/s].
 double fastest_start(const Sample& start, int dimension) {
   double fastest2 = 0;
   const auto n = std::size_t(dimension);
@@ -141,7 +142,8 @@ double fastest_start(const Sample& start, int dimension) {
   return std::sqrt(fastest2);
 }
 
-/// Without sound the flow bounds the step, and gives what is fast its measure.
+/// For the pressure solvers, which have no speed of sound: the flow limits the step, and the
+/// nominal speed of sound is ten times the maximum speed.
 void derive_flow(const Scene& s, double fastest, Derived& d) {
   d.density_tolerance = density_tolerance(s);
   d.sound_speed = 10 * std::max(fastest, std::sqrt(fastest_fall2(s)));

@@ -28,7 +28,7 @@ struct Expressions::Parsers {
       all[k].SetExpr(functions[k]);
     }
   }
-  /// Throws where one cannot be read.
+  /// Sets depends_on_place. Throws if a function is invalid.
   void look() {
     for (mu::Parser& parser : all)
       for (const auto& [name, place] : parser.GetUsedVar()) depends_on_place |= name != "t";
@@ -45,8 +45,8 @@ std::optional<std::string> fault_in(const std::vector<std::string>& functions) {
       std::string why = e.GetMsg();
       why.erase(why.find_last_not_of(" .\n") + 1);
       return fmt::format(
-          "cannot be read in \"{}\": {}; it is a function of {} and t with numbers, pi, + - * / ^ "
-          "and sin, cos, exp, sqrt, min, max and the like",
+          "has an error in \"{}\": {}; write a function of {} and t with numbers, pi, + - * / ^ "
+          "and functions such as sin, cos, exp, sqrt, min, max",
           functions[k], why, functions.size() == 3 ? "x, y, z" : "x, y");
     }
   return {};
@@ -71,8 +71,8 @@ struct Expressions::Parsers {};
 bool reads_expressions() { return false; }
 
 std::optional<std::string> fault_in(const std::vector<std::string>&) {
-  return "is a function, and this Freshet was built without muParser, which reads them; install "
-         "libmuparser-dev and build it anew";
+  return "is a function, which needs muParser, and this Freshet was built without it; install "
+         "libmuparser-dev and rebuild";
 }
 
 Expressions::Expressions(const std::vector<std::string>&) {}

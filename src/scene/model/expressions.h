@@ -7,14 +7,13 @@
 
 namespace freshet {
 
-/// Whether this build reads functions: it does where it found muParser.
+/// Whether this build reads functions, which needs muParser.
 bool reads_expressions();
 
-/// What is wrong with the first of these functions that cannot be read, with a remedy.
+/// The error of the first invalid function, with a remedy; empty if all are valid.
 std::optional<std::string> fault_in(const std::vector<std::string>& functions);
 
-/// Functions of place and time, one for each axis, in which x, y, z [m] and t [s] stand. All
-/// without a fault.
+/// Functions of x, y, z [m] and t [s], one per axis. All must be valid: fault_in() finds no error.
 class Expressions {
  public:
   explicit Expressions(const std::vector<std::string>& functions);
@@ -22,9 +21,9 @@ class Expressions {
   ~Expressions();
 
   bool empty() const;
-  /// Whether x, y or z stands in one of them.
+  /// Whether one of them depends on x, y or z.
   bool depends_on_place() const;
-  /// Their values, as many as there are functions. Not for two threads at once.
+  /// Writes the value of each function to `values`. Not thread-safe.
   void operator()(const double (&x)[3], double t, double* values);
 
  private:

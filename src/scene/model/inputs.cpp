@@ -18,7 +18,7 @@ Inputs inputs_of(const Scene& scene) {
   const auto add = [&](const char* table, std::size_t k, const std::filesystem::path& file,
                        const char* key = "file") {
     if (file.empty()) return;
-    // no TOML value, so that it is taken as text
+    // not a TOML value, so that apply_overrides takes it as a string
     const std::string name = fmt::format("inputs/{}_{}_{}", table, k, file.filename().string());
     std::ifstream in(file, std::ios::binary);
     inputs.files.emplace_back(name, std::string(std::istreambuf_iterator<char>(in), {}));

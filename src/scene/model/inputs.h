@@ -8,8 +8,8 @@
 
 namespace freshet {
 
-/// A scene as it lies in the folder of its run, which needs nothing outside: its text, and the
-/// contents of the files that it reads, by the names that the text gives them.
+/// A scene as a run folder stores it, complete with the files that it reads: its text, and the
+/// contents of these files by their names in the text.
 struct Inputs {
   std::string source;
   std::vector<std::pair<std::string, std::string>> files;

@@ -11,7 +11,7 @@ namespace {
 
 using Point = TriangleMesh::Point;
 
-/// About x, then y, then z.
+/// A rotation about x, then y, then z.
 class Rotation {
  public:
   explicit Rotation(const Vector& degrees) {
@@ -40,8 +40,9 @@ std::shared_ptr<const LoadedMesh> load_mesh(const Scene::Region& r) {
   for (Point& x : mesh.points) x = turned(r.scale * x) + translation;
   const MeshCondition condition = mend_mesh(mesh);
   if (mesh.triangles.empty())
-    throw Error(Error::Kind::scene, r.file,
-                "every triangle in it has two corners in one place; export the mesh again");
+    throw Error(
+        Error::Kind::scene, r.file,
+        "every triangle in it is degenerate: two of its corners coincide; export the mesh again");
   return std::make_shared<LoadedMesh>(LoadedMesh{r.file, r.scale, r.rotation, r.translation,
                                                  condition, MeshDistance(std::move(mesh))});
 }

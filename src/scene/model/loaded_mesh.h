@@ -7,7 +7,7 @@
 
 namespace freshet {
 
-/// The mesh of a region where it stands in the scene: read, scaled, turned, moved and mended.
+/// The mesh of a region: read, scaled, rotated, translated and repaired.
 struct LoadedMesh {
   std::string file;
   double scale;
@@ -19,8 +19,8 @@ struct LoadedMesh {
 /// Reads the file; throws Error (kind scene) at FILE.
 std::shared_ptr<const LoadedMesh> load_mesh(const Scene::Region& region);
 
-/// Fills in region.loaded where a mesh is asked for and `loaded` is not it; leaves it empty if it
-/// cannot be read, which check_mesh tells.
+/// Loads the mesh of a region into region.loaded if it is not loaded yet. Leaves it empty if the
+/// mesh cannot be read, which check_mesh reports.
 void remember_mesh(Scene::Region& region);
 
 }  // namespace freshet

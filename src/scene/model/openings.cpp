@@ -9,15 +9,15 @@
 namespace freshet {
 namespace {
 
-/// Of `count` places, `spacing` apart and symmetric about 0, the k-th.
+/// The k-th of `count` places, `spacing` apart and symmetric about 0.
 double place_of(int k, int count, double spacing) { return (k - (count - 1) / 2.0) * spacing; }
 
 int places_along(double length, double spacing) {
   return int(std::clamp(std::round(length / spacing), 1.0, 1e5));
 }
 
-/// Pairs (along the width, along the height) that lie in a disc: of a lattice with a place in its
-/// middle and one without, those that stand for an area nearer to the disc's.
+/// The places in a disc, as pairs (along the width, along the height). Of two lattices, one with a
+/// place at the centre and one without, it takes the one whose area is closer to that of the disc.
 std::vector<Vec<2, double>> in_disc(double radius, double spacing) {
   std::vector<Vec<2, double>> best;
   const double area = 3.14159265358979323846 * radius * radius / (spacing * spacing);
@@ -91,7 +91,7 @@ InletPlan inlet_plan(const Scene& s, const Scene::Inlet& in) {
     const auto d = unit_of<3>(in.direction);
     plan.direction = {d.x, d.y, d.z};
   }
-  // What stands just before the opening finds neighbours as far as it looks.
+  // Particles just in front of the opening have neighbours in their whole support.
   plan.layers = int(std::ceil(support_radius(s) / plan.spacing - 1e-9)) + 1;
   const double area = double(plan.particles()) * std::pow(plan.spacing, s.dimension() - 1);
   plan.speed = in.speed ? *in.speed : in.flow_rate.value_or(0) / area;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What inlets and counters are made of.
+/// The openings of inlets and counters.
 #pragma once
 #include <limits>
 
@@ -10,7 +10,7 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The piece of a scene with its defaults filled in, whose direction is not 0.
+/// The opening must be of a scene with its defaults filled in. Its direction must not be 0.
 template <int D> Opening<D> opening_of(const Scene::Opening& o) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Opening<D> piece{};
@@ -32,19 +32,20 @@ template <int D> Opening<D> opening_of(const Scene::Opening& o) {
 
 }  // namespace FRESHET_ISA
 
-/// Of a scene with its defaults filled in.
+/// The scene must have its defaults filled in.
 InletPlan inlet_plan(const Scene& scene, const Scene::Inlet& inlet);
 
-/// Particles that inlets bring: the zones that are filled at the start, and all that follow until
-/// the end.
+/// The number of particles that inlets add: in the zones that are filled at the start, and later
+/// until the end.
 struct InflowEstimate {
   double at_start = 0, later = 0;
 };
 InflowEstimate estimate_inflow(const Scene& scene);
-/// How many particles the domain holds at rest density, with a tenth to spare.
+/// The number of particles that the domain holds at rest density, plus a tenth.
 double room_in_domain(const Scene& scene);
 
-/// Where liquid moves as the inlet has it: over the opening, to the zone's depth behind it.
+/// The region where the inlet sets the motion of the liquid: from the opening to the depth of the
+/// zone behind it.
 template <int D> struct InletZone {
   Opening<D> opening;
   double depth;

@@ -7,7 +7,7 @@
 
 namespace freshet {
 
-/// Steps between the places of a plane along an axis: 0 across it.
+/// The number of intervals between the points of a plane along an axis; 0 along its normal.
 inline std::int64_t steps_of_plane(const Scene& s, const Scene::Probe& p, std::size_t axis) {
   const double length = std::abs(p.to[axis] - p.from[axis]);
   const double steps = std::round(length / p.apart.value_or(s.particles.spacing));

@@ -12,7 +12,7 @@ namespace {
 
 std::string number(double value) { return fmt::format("{}", value); }
 
-/// A lattice over the same place, the first particle half of the new spacing inside.
+/// A lattice that fills the same box; the first particle is half of the new spacing inside.
 void refine(const Scene::Fluid& f, const std::string& at, double spacing, double factor,
             std::vector<Override>& all) {
   const double inset = (factor - 1) * spacing / 2;
@@ -42,9 +42,9 @@ std::vector<Override> at_resolution(const Scene& s, double particles) {
       refine(s.fluid[k], at, s.particles.spacing, factor, all);
     if (s.fluid[k].shape == Shape::points)
       throw Error(Error::Kind::scene, "",
-                  fmt::format("fluid[{}] is the points of a file, which "
-                              "have one spacing; leave the number of "
-                              "particles as it is",
+                  fmt::format("fluid[{}] is read from a file of points, whose "
+                              "spacing is fixed; keep the number of "
+                              "particles",
                               k));
   }
   return all;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a scene says of itself, and the defaults that depend on its dimension.
+/// Member functions of Scene, and the defaults that depend on the dimension.
 #include "freshet/scene.h"
 
 #include <fmt/format.h>
@@ -89,7 +89,7 @@ std::vector<std::string> Scene::flow_names() const {
 
 namespace {
 
-/// Which way a rectangle stands that is not told.
+/// Sets the default of `up` of a rectangle.
 void turn_up(Scene::Opening& o) {
   if (!o.up.empty() || o.direction.size() != 3) return;
   const double across = std::hypot(o.direction[0], o.direction[2]);

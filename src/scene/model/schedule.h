@@ -8,15 +8,15 @@
 
 namespace freshet {
 
-/// A step that was taken: its number, counted from 0, and the time before and after it [s].
+/// A completed step: its number, counted from 0, and the time before and after it [s].
 struct StepTaken {
   std::int64_t step;
   double before, after;
-  bool last;  ///< the run ends with it
+  bool last;  ///< the last step of the run
 };
 
-/// Something that is written after step 0, after the last step, and every so many steps or seconds
-/// in between: after the first step at or after each such time.
+/// When something is written: after step 0, after the last step, and at an interval of steps or
+/// seconds in between. With seconds it is written after the first step at or after each such time.
 class Every {
  public:
   Every(std::optional<std::int64_t> steps, std::optional<double> seconds) {
@@ -27,11 +27,12 @@ class Every {
     if (s.step == 0 || s.last) return true;
     return steps_ > 0 ? s.step % steps_ == 0 : times_by(s.after) > times_by(s.before);
   }
-  /// Due as a step's multiple says, the first and the last not counted as such.
+  /// Whether the interval alone makes the step due. The first and the last step are no exceptions.
   bool due_within(const StepTaken& s) const {
     return steps_ > 0 ? (s.step + 1) % steps_ == 0 : times_by(s.after) > times_by(s.before);
   }
-  /// How often in a run of this many steps; in an adaptive one, whose last argument is 0, at most.
+  /// The number of times in a run of this many steps. Adaptive steps have step = 0; the result is
+  /// then the maximum.
   std::int64_t times(std::int64_t steps, double end, double step) const {
     const std::int64_t last = steps - 1;
     if (steps_ > 0) return last / steps_ + 1 + (last % steps_ != 0);
@@ -42,9 +43,9 @@ class Every {
   }
 
  private:
-  /// The number of times k·seconds, k > 0, up to t; a hair of rounding does not matter.
+  /// The number of times k·seconds, k > 0, up to t, with a tolerance for rounding.
   std::int64_t times_by(double t) const { return std::int64_t(t / seconds_ + 1e-9); }
-  /// The step, of this many seconds, after which the k-th is due.
+  /// The number of the step, each `step` seconds long, after which the k-th time is due.
   std::int64_t step_of(std::int64_t k, double step) const {
     std::int64_t n = std::llround(double(k) * seconds_ / step);
     while (n > 1 && times_by(double(n - 1) * step) >= k) --n;
@@ -56,7 +57,7 @@ class Every {
   double seconds_ = 0;
 };
 
-/// After which steps something is written. It never changes a step.
+/// The steps after which something is written. A schedule never changes the length of a step.
 class Schedule {
  public:
   explicit Schedule(const Scene& s)
@@ -73,17 +74,17 @@ class Schedule {
 
   bool frame_after(const StepTaken& s) const { return frame_.due(s); }
   bool data_after(const StepTaken& s) const { return data_frames_ > 0 && data_.due(s); }
-  /// Whether the k-th probe looks.
+  /// Whether the k-th probe measures.
   bool probe_after(std::size_t k, const StepTaken& s) const { return probes_[k].due(s); }
   bool observe_after(const StepTaken& s) const { return observe_.due(s); }
-  /// Whether a checkpoint is due by the scene; one that gives no rate leaves it to the clock.
+  /// Whether the interval of the scene makes a checkpoint due. Without one, the clock decides.
   bool checkpoint_after(const StepTaken& s) const {
     return checkpoint_ && checkpoint_->due_within(s);
   }
   bool checkpoints_by_clock() const { return !checkpoint_; }
-  /// How many pictures a run writes; of an adaptive one the most.
+  /// The number of frames of a run; the maximum for adaptive steps.
   std::int64_t frames() const { return frames_; }
-  /// The same of the data files of each format.
+  /// The number of data files of each format; the maximum for adaptive steps.
   std::int64_t data_frames() const { return data_frames_; }
 
  private:

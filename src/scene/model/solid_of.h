@@ -15,15 +15,15 @@ template <int D, class R = double> Vec<D, R> vec_of(const Vector& a) {
   return v;
 }
 
-/// In the direction of `a`, which is not 0.
+/// The unit vector along `a`, which must not be 0.
 template <int D> Vec<D, double> unit_of(const Vector& a) {
   const auto v = vec_of<D>(a);
-  double most = 0;  // divided out first: squares of tiny numbers vanish
+  double most = 0;  // divided out first: squares of tiny numbers underflow
   for (const double x : a) most = std::max(most, std::abs(x));
   return v / most / norm(v / most);
 }
 
-/// Whether a formula tells the surface of a region of this shape.
+/// Whether the surface of a region of this shape has a formula.
 inline bool is_solid(Shape shape) { return shape != Shape::points && shape != Shape::mesh; }
 
 /// The surface of a box, sphere, cylinder or plane of a scene with its defaults filled in.

@@ -53,7 +53,7 @@ Hydrostatic<D>::Hydrostatic(const Scene& s)
   for (auto& layer : layers_)
     if (layer) order.push_back(&*layer);
   std::sort(order.begin(), order.end(), [](auto* a, auto* b) { return a->top < b->top; });
-  for (Layer* below : order)  // from above: those on it know their loads
+  for (Layer* below : order)  // from the top: the layers above have their loads already
     for (const Layer* above : order)
       if (stands_on(*above, *below))
         below->load =

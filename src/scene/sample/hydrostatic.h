@@ -8,14 +8,14 @@
 
 namespace freshet {
 
-/// A column of a liquid under its own weight and a load: where its layers come to rest, and how
-/// dense. With the pressure p = rho0 g s below a depth s of material (so much of it if it were
-/// uncompressed; the load counts as material):
+/// A column of a liquid under its own weight and a load: the positions and densities of its layers
+/// at rest. s is the depth of material above a layer, measured uncompressed; the load counts as
+/// material. The pressure is p = rho0 g s, and the density is
 ///   mueller2003        rho/rho0 = 1 + g s/k
 ///   wcsph, delta_sph   rho/rho0 = (1 + 7 p/(rho_ref c²))^(1/7)   [Tait's equation]
 ///   pcisph, iisph, dfsph, pbf   rho = rho0
-/// rho_ref is the rest density of the densest liquid. A layer stands above the bottom by the
-/// integral of rho0/rho ds up to it.
+/// rho_ref is the rest density of the densest liquid. The height of a layer above the bottom is the
+/// integral of rho0/rho ds over the material below it.
 class HydrostaticColumn {
  public:
   HydrostaticColumn(const Scene& s, double rest_density, double height, double load);
@@ -30,37 +30,37 @@ class HydrostaticColumn {
   double rest_density_, gravity_, height_, load_, load_depth_, per_depth_;
 };
 
-/// The fluids that start hydrostatic, each with the weight of those that stand on it.
+/// The fluids that start hydrostatic, each with the weight of the fluids above it.
 template <int D> class Hydrostatic {
  public:
   explicit Hydrostatic(const Scene& s);
 
-  /// How dense the fluid is at a place, over its rest density, and its pressure [Pa].
+  /// The density at a place, over the rest density, and the pressure [Pa].
   struct State {
     double compression = 1, pressure = 0;
   };
-  /// Moves x, of the k-th fluid, to where its layer comes to rest; the bottom of the lowest fluid
-  /// stays where it is.
+  /// Moves x, a place of the k-th fluid, to the position of its layer at rest. The bottom of the
+  /// lowest fluid does not move.
   State settle(std::size_t k, Vec<D>& x) const;
 
  private:
   struct Layer {
-    Vec<D, double> low{}, high{};  ///< the box around it
+    Vec<D, double> low{}, high{};  ///< the box around the fluid
     double top, bottom;            ///< depths [m]
     double rest_density;
-    double load = 0;   ///< what stands on it [Pa]
-    double sinks = 0;  ///< how far, as those below it are compressed [m]
+    double load = 0;   ///< weight of the fluids above [Pa]
+    double sinks = 0;  ///< displacement by the compression of the fluids below [m]
     std::optional<HydrostaticColumn> column{};
     double height() const { return bottom - top; }
   };
   std::optional<Layer> layer_of(const Scene::Fluid& f) const;
-  /// Whether b stands on a.
+  /// Whether the bottom of b touches the top of a.
   bool stands_on(const Layer& b, const Layer& a) const;
 
   const Scene& s_;
   Vec<D, double> down_;
   double gravity_;
-  std::vector<std::optional<Layer>> layers_;  ///< by fluid; none of what is not hydrostatic
+  std::vector<std::optional<Layer>> layers_;  ///< by fluid; empty if it is not hydrostatic
 };
 
 }  // namespace freshet

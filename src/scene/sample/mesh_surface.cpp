@@ -10,13 +10,12 @@ namespace {
 
 using Point = Vec<3, double>;
 
-constexpr double apart =
-    0.7;  // spacings: sparser layers let particles through where they are impinged on
-constexpr double apart_in_layers = 0.8;  // spacings: as many as a lattice would have
-constexpr int rounds = 40;               // of about one throw a disc
-constexpr double clear = 0.95;           // of the depth that a sample keeps from all of the surface
+constexpr double apart = 0.7;            // spacings: sparser layers let impinging particles through
+constexpr double apart_in_layers = 0.8;  // spacings: as many points as a lattice has
+constexpr int rounds = 40;               // with about one throw per disc
+constexpr double clear = 0.95;  // fraction of the depth: minimum distance to all of the surface
 
-/// SplitMix64 [Steele, Lea and Flood 2014]: the same throws everywhere.
+/// SplitMix64 [Steele, Lea and Flood 2014]: the same random numbers on every platform.
 class Throws {
  public:
   /// In [0, 1).
@@ -41,7 +40,7 @@ class Throws {
 
 class Spreader {
  public:
-  /// No two points nearer than `radius`, whatever their depths.
+  /// No two points are closer than `radius`, in one layer or in two.
   Spreader(const MeshDistance& mesh, double radius)
       : mesh_(mesh), radius_(radius), taken_(radius_) {}
 
@@ -66,7 +65,7 @@ class Spreader {
     Point x = on + depth_ * inwards;
     if (depth_ > 0 && mesh_.nearest(x).distance < clear * depth_) {
       const auto room = mesh_.first_hit(on, inwards, 1e-9 * depth_);
-      if (!room || *room >= 2 * depth_) return;  // before a corner
+      if (!room || *room >= 2 * depth_) return;  // in front of a corner
       x = on + *room / 2 * inwards;
       if (mesh_.nearest(x).distance < clear * *room / 2) return;
     }

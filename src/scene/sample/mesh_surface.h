@@ -4,13 +4,15 @@
 
 namespace freshet {
 
-/// Points about `spacing` apart, `depth` behind a mesh's surface; before it if `depth` is negative.
-/// No two are nearer than 0.7 spacings, and next to no place of that surface is farther from one
-/// [Bridson 2007, Poisson discs]. Where the mesh is thinner than 2 depth they lie in its middle.
+/// Points about `spacing` apart, `depth` behind a mesh's surface, or in front of it if `depth` is
+/// negative. No two are closer than 0.7 spacings, and almost every place of that surface is closer
+/// to one than that [Bridson 2007, Poisson discs]. Where the mesh is thinner than 2 depth, the
+/// points are in its middle.
 std::vector<Vec<3, double>> points_behind(const MeshDistance& mesh, double spacing, double depth);
 
-/// The same in `layers` behind the surface, the first half a spacing and each a spacing deeper,
-/// with one point for each cube of a spacing. Where the mesh is too thin for a layer there is none.
+/// Points in `layers` layers behind a mesh's surface, with one point per cube of a spacing. The
+/// first layer is half a spacing deep, and each further layer is a spacing deeper. Where the mesh
+/// is too thin for a layer, the layer has no points.
 std::vector<Vec<3, double>> layers_behind(const MeshDistance& mesh, double spacing, int layers);
 
 }  // namespace freshet

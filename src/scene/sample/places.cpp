@@ -13,14 +13,14 @@ struct Box {
   Vector min, max;
 };
 
-/// The part of the domain that is on the inner side of a plane, as a box around it.
+/// The box around the part of the domain on the inner side of a plane.
 Box box_below(const Scene& s, const Scene::Region& plane) {
   Box box{s.domain.min, s.domain.max};
   const std::size_t n = box.min.size();
   for (std::size_t k = 0; k < n; ++k) {
     const double along = plane.normal[k];
     if (along == 0) continue;
-    double reach = along * plane.point[k];  // of along · x_k, where the others help most
+    double reach = along * plane.point[k];  // maximum of along · x_k over the other axes
     for (std::size_t j = 0; j < n; ++j)
       if (j != k)
         reach += plane.normal[j] * plane.point[j] -
@@ -107,7 +107,7 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
   if (!whole) shape_.emplace(f);
   shifts_ = periodic_shifts<D>(s);
   const bool as_given = f.shape == Shape::lattice || f.shape == Shape::points;
-  for (int side = 0; side < 2 * D; ++side) {  // what holds a lattice that need not fit
+  for (int side = 0; side < 2 * D; ++side) {  // the sides that places keep a distance from
     const auto k = std::size_t(side / 2);
     if (as_given || f.outside == Outside::clamp || s.periodic(side / 2) ||
         s.side_method(side) == WallMethod::open)
@@ -127,7 +127,8 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
   velocities_ = vectors<D>(cloud.v);
 }
 
-/// Nearer than half a spacing, less what the rounding of a position may be (see check_resolution).
+/// Whether x is closer to a wall than half a spacing, less the rounding error of a position (see
+/// check_resolution).
 template <int D> bool Places<D>::in_wall(Vec<D> x) const {
   for (std::size_t k = 0; k < D; ++k)
     if (const double at = component(x, int(k));

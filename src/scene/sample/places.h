@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Where the particles of one fluid stand before jitter and pressure move them.
+/// The places of the particles of one fluid, before jitter and pressure move them.
 #pragma once
 #include <array>
 #include <optional>
@@ -11,12 +11,12 @@
 
 namespace freshet {
 
-/// Whether a fluid fills a lattice of its own.
+/// Whether a fluid fills its whole lattice.
 inline bool is_block(const Scene::Fluid& f) {
   return f.shape == Shape::lattice || (f.shape == Shape::box && f.side == Side::inside);
 }
 
-/// Vectors that lead from a place to its images beyond periodic ends, 0 first.
+/// Vectors from a place to its images beyond periodic ends; the first is 0.
 template <int D> std::vector<Vec<D, double>> periodic_shifts(const Scene& s) {
   std::vector<Vec<D, double>> shifts{{}};
   for (int k = 0; k < D; ++k) {
@@ -32,13 +32,13 @@ template <int D> std::vector<Vec<D, double>> periodic_shifts(const Scene& s) {
   return shifts;
 }
 
-/// The places that a fluid takes; `scene` has its defaults filled in and outlives it.
+/// The places of a fluid. `scene` has its defaults filled in and must outlive this.
 template <int D> class Places {
  public:
   Places(const Scene& scene, const Scene::Fluid& fluid);
 
-  /// Calls visit(x, i) for each place, i of those of a file, until it says false. Returns how many
-  /// places of the lattice, or of the file, walls take.
+  /// Calls visit(x, i) for each place until it returns false; i is the index of a point of a file.
+  /// Returns the number of places that are excluded because of walls.
   template <class F> std::int64_t each(F visit) const {
     std::int64_t left_out = 0;
     const auto look = [&](Vec<D> x, std::size_t i) {
@@ -57,9 +57,10 @@ template <int D> class Places {
     return left_out;
   }
   bool is_lattice() const { return !lattice_.count.empty(); }
-  /// Of a lattice: whether one of its places is less than half a spacing from x.
+  /// For a lattice: whether one of its places is closer to x than half a spacing.
   bool comes_near(Vec<D> x) const;
-  const std::vector<Vec<D>>& velocities() const { return velocities_; }  ///< of a file, or empty
+  /// The velocities of the points of a file; empty without them.
+  const std::vector<Vec<D>>& velocities() const { return velocities_; }
 
  private:
   Vec<D> place(const std::array<std::int64_t, 3>& n) const {
@@ -77,19 +78,19 @@ template <int D> class Places {
   double spacing_;
   Lattice lattice_;
   std::vector<Vec<D>> points_, velocities_;
-  std::optional<RegionSurface<D>> shape_;  // none: every place is inside
+  std::optional<RegionSurface<D>> shape_;  // empty: every place is inside
   std::vector<RegionSurface<D>> walls_;
   std::vector<Vec<D, double>> shifts_;
-  std::vector<InletZone<D>> zones_;  // that inlets fill
-  Vector low_, high_;                // of the domain, where its sides hold the fluid
+  std::vector<InletZone<D>> zones_;  // of inlets
+  Vector low_, high_;                // of the domain; infinite at sides without a distance
   PointGrid<D> wall_points_;
 };
 
 extern template class Places<2>;
 extern template class Places<3>;
 
-/// Pairs of fluids, the earlier first, with particles less than half a spacing apart. Only the
-/// fluids of `good` are looked at.
+/// Pairs of fluids, the earlier first, with particles less than half a spacing apart. Checks only
+/// the fluids of `good`.
 std::vector<std::pair<std::size_t, std::size_t>> overlapping_fluids(
     const Scene& scene, const std::vector<std::size_t>& good);
 

@@ -12,7 +12,7 @@
 namespace freshet {
 namespace {
 
-/// Positions and velocities as a scene takes them, and what is wrong with them.
+/// Collects positions and velocities, and rejects invalid ones.
 class PointColumns final : public PointSink {
  public:
   PointColumns(std::string file, int dimension)
@@ -45,27 +45,27 @@ void PointColumns::check() const {
   static constexpr const char* axes[] = {"x", "y", "z"};
   for (int k = 0; k < dimension_; ++k)
     if (place_[k] < 0)
-      fail(fmt::format("there is no {}; a {}D scene takes x, y{} and perhaps {}", axes[k],
+      fail(fmt::format("{} is missing; a {}D scene needs x, y{} and optionally {}", axes[k],
                        dimension_, dimension_ == 3 ? ", z" : "",
                        dimension_ == 3 ? "vx, vy, vz" : "vx, vy"));
   for (int k = 0; k < dimension_; ++k)
     if (has_velocity() && place_[3 + k] < 0)
-      fail(fmt::format("there is no v{}, but another velocity; give all {} or none", axes[k],
-                       dimension_));
+      fail(fmt::format("v{} is missing, and another velocity is present; write all {} or none",
+                       axes[k], dimension_));
 }
 
 void PointColumns::add(const std::vector<double>& values) {
   const auto value = [&](int k) {
     const double v = values[std::size_t(place_[k])];
-    if (!(std::abs(v) <= 1e15))  // NaN too
-      fail(fmt::format("a number is {}; positions and velocities are finite, at most 1e15", v));
+    if (!(std::abs(v) <= 1e15))  // rejects NaN, too
+      fail(fmt::format("a number is {}; positions and velocities must be finite, at most 1e15", v));
     return v;
   };
   for (int k = 0; k < dimension_; ++k) cloud.x.push_back(value(k));
   for (int k = 0; k < dimension_ && has_velocity(); ++k) cloud.v.push_back(value(3 + k));
   for (const int k : {2, 5})
     if (dimension_ == 2 && place_[k] >= 0 && value(k) != 0)
-      fail(fmt::format("{} is {:g}, and the scene is in 2D; make it 0, or give domain.max a z",
+      fail(fmt::format("{} is {:g}, and the scene is in 2D; make it 0, or add z to domain.max",
                        k == 2 ? "z" : "vz", value(k)));
 }
 
@@ -79,7 +79,7 @@ PointCloud points_in(std::string_view bytes, const std::filesystem::path& file, 
   else if (extension == ".csv") read_csv(bytes, columns);
   else columns.fail("not *.ply, *.vtp or *.csv; convert it to one");
   columns.line = 0;
-  if (columns.cloud.x.empty()) columns.fail("there is no point in it; is it the right file?");
+  if (columns.cloud.x.empty()) columns.fail("the file has no points; is it the right file?");
   return std::move(columns.cloud);
 }
 
@@ -87,12 +87,13 @@ PointCloud read_points(const std::filesystem::path& file, int dimension) {
   const auto fail = [&](const char* why) { throw Error(Error::Kind::scene, file.string(), why); };
   std::error_code ec;
   const auto status = std::filesystem::status(file, ec);
-  if (!std::filesystem::exists(status)) fail("no such file of points; check the path");
+  if (!std::filesystem::exists(status)) fail("no such point file; check the path");
   if (!std::filesystem::is_regular_file(status))
     fail("not a file; name a *.ply, *.vtp or *.csv file");
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
-  if (!in || !(text << in.rdbuf())) fail("cannot be read; is it empty, or not yours to read?");
+  if (!in || !(text << in.rdbuf()))
+    fail("cannot be read; is it empty, or do you lack the permission?");
   return points_in(std::move(text).str(), file, dimension);
 }
 

@@ -11,7 +11,7 @@
 
 namespace freshet {
 
-/// A hash grid of points: is one of them nearer than `near`?
+/// A hash grid of points. comes_near() finds whether one of them is closer than `near`.
 template <int D> class PointGrid {
  public:
   explicit PointGrid(double near) : near_(near) {}

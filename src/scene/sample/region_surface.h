@@ -5,7 +5,7 @@
 
 namespace freshet {
 
-/// The surface of a region that is no points, of a scene with its defaults filled in.
+/// The surface of a region, except of points, of a scene with its defaults filled in.
 template <int D> class RegionSurface {
  public:
   explicit RegionSurface(const Scene::Region& region) {
@@ -14,7 +14,8 @@ template <int D> class RegionSurface {
     fluid_inside_ = region.side == Side::inside;
   }
 
-  /// How far x is on the fluid's side [m]; negative on the other. A mesh with holes has no other.
+  /// The distance of x from the surface [m]: positive on the fluid's side, negative on the other. A
+  /// mesh with holes has no other side.
   double distance(Vec<D, double> x) const {
     if constexpr (D == 3)
       if (mesh_) {

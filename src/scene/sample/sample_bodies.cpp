@@ -9,8 +9,8 @@
 namespace freshet {
 namespace {
 
-/// As a wall of akinci2012: half a spacing beneath the surface, and as much deeper as lets a
-/// resting fluid have its rest density there.
+/// One layer, as in a wall of akinci2012: half a spacing behind the surface, and deeper by the
+/// setback that gives a resting fluid its rest density.
 template <int D> std::vector<Vec<D, double>> layer_of(const Scene& s, const Scene::Region& body) {
   const double spacing = s.particles.spacing, deeper = single_layer_distance(s) - spacing;
   if constexpr (D == 3)
@@ -22,7 +22,7 @@ template <int D> std::vector<Vec<D, double>> layer_of(const Scene& s, const Scen
   return points;
 }
 
-/// As a wall of adami2012.
+/// Several layers, as in a wall of adami2012.
 template <int D> std::vector<Vec<D, double>> layers_of(const Scene& s, const Scene::Region& body) {
   const double spacing = s.particles.spacing;
   const int layers = wall_layers(s, WallMethod::adami2012);

@@ -15,7 +15,7 @@ template <int D> class FluidSampler {
  public:
   explicit FluidSampler(const Scene& s)
       : s_(s),
-        jitter_(float(s.particles.jitter)),  // the same offsets in a double build
+        jitter_(float(s.particles.jitter)),  // a float: a double build has the same offsets
         generator_(static_cast<std::mt19937::result_type>(s.particles.seed)),
         offset_(-jitter_, jitter_),
         tells_pressure_(s.method().incompressible() &&
@@ -54,7 +54,7 @@ template <int D> class FluidSampler {
   static void append(std::vector<Real>& to, Vec<D> a) {
     for (int k = 0; k < D; ++k) to.push_back(component(a, k));
   }
-  /// D numbers at a place, by the functions of x.
+  /// Replaces D numbers from v[place] on by the values of the functions at x.
   static void replace(std::vector<Real>& v, std::size_t place, Expressions& field, Vec<D> x) {
     double at[3] = {}, value[3];
     for (int k = 0; k < D; ++k) at[k] = double(component(x, k));

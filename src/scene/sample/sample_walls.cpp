@@ -19,7 +19,7 @@ WallSample& sample_of(Sample& all, WallMethod method) {
                                            : all.monaghan2009;
 }
 
-/// How much deeper in the wall than half a spacing the first samples of a method stand.
+/// The depth of the first layer of a method behind the surface, less half a spacing [m].
 double setback(const Scene& s, WallMethod method) {
   return method == WallMethod::akinci2012 ? single_layer_distance(s) - s.particles.spacing : 0;
 }
@@ -29,8 +29,8 @@ template <int D> void append(WallSample& to, Vec<D, double> x, std::int32_t wall
   to.wall.push_back(wall);
 }
 
-/// The lattice of cells that the domain is cut into, about a spacing wide, and how many of them
-/// samples may lie beyond each end.
+/// The domain divided into cells about a spacing wide, and the number of cells beyond each end that
+/// may have boundary particles.
 struct SideLattice {
   Counts n, beyond;
   Vector cell;
@@ -50,8 +50,8 @@ struct SideLattice {
   }
 };
 
-/// The side that a cell beyond the domain belongs to; -1: to none. The first whose method has
-/// enough layers fills the corners.
+/// The side that a cell beyond the domain belongs to, or -1. A cell in a corner belongs to the
+/// first side whose method has enough layers.
 int side_of(const Scene& s, const Counts& c, const Counts& n) {
   std::int64_t deepest = 0;
   int sides[3], count = 0;
@@ -87,7 +87,7 @@ template <int D> void sample_sides(const Scene& s, Sample& all) {
   });
 }
 
-/// A box that may hold samples.
+/// A box that may have boundary particles.
 template <int D> struct Room {
   Vec<D, double> low, high;
   bool has(Vec<D, double> x) const {
@@ -98,7 +98,7 @@ template <int D> struct Room {
   }
 };
 
-/// The domain and the support around it, which no particle sees beyond.
+/// The domain and one support radius around it. No particle interacts with anything beyond.
 template <int D> Room<D> domain_and_support(const Scene& s) {
   Room<D> room{vec_of<D>(s.domain.min), vec_of<D>(s.domain.max)};
   for (int k = 0; k < D; ++k) {
@@ -108,7 +108,8 @@ template <int D> Room<D> domain_and_support(const Scene& s) {
   return room;
 }
 
-/// Half a spacing behind the surface; of one with holes, which has no behind, on it.
+/// Points half a spacing and the setback behind the surface. A mesh with holes has no inside; its
+/// points are on the surface.
 std::vector<Vec<3, double>> mesh_samples(const Scene& s, std::size_t wall) {
   const Scene::Wall& w = s.wall[wall];
   const double depth = s.particles.spacing / 2 + setback(s, s.wall_method(wall));
@@ -147,11 +148,11 @@ template <int D> std::vector<Vec<D, double>> surface_points(const Scene& s, std:
   return points;
 }
 
-/// Of a wall that crosses a periodic end, the part beyond comes in again at the other.
+/// Samples a wall. The part beyond a periodic end is repeated at the opposite end.
 template <int D> void sample_wall(const Scene& s, std::size_t wall, Sample& all) {
   const Room<D> room = domain_and_support<D>(s),
                 domain{vec_of<D>(s.domain.min), vec_of<D>(s.domain.max)};
-  const bool repeats = s.wall[wall].shape != Shape::plane;  // a plane reaches beyond by itself
+  const bool repeats = s.wall[wall].shape != Shape::plane;  // a plane extends beyond by itself
   const auto shifts = repeats ? periodic_shifts<D>(s) : std::vector<Vec<D, double>>(1);
   WallSample& to = sample_of(all, s.wall_method(wall));
   for (const Vec<D, double>& point : surface_points<D>(s, wall))
@@ -184,13 +185,13 @@ double most_samples(const Scene& s, const Scene::Region& w, double layers) {
   Vector sides;
   if (w.shape == Shape::sphere)
     return layers * (w.center.size() == 2 ? 2 * pi * r : 4 * pi * r * r);
-  if (w.shape == Shape::mesh)  // a layer outside is wider than the surface: no more than by this
+  if (w.shape == Shape::mesh)  // upper bound: a layer outside is wider than the surface
     return 3 * layers * (w.loaded->distance.area() / square(spacing) + 100);
   if (w.shape == Shape::cylinder) return layers * (2 * pi * r * l + 2 * pi * r * r);
   if (w.shape == Shape::box)
     for (std::size_t k = 0; k < w.min.size(); ++k)
       sides.push_back((w.max[k] - w.min[k]) / spacing + 1);
-  if (w.shape == Shape::plane)  // half of what is around the domain is more
+  if (w.shape == Shape::plane)  // upper bound: the shell around the domain
     for (std::size_t k = 0; k < w.normal.size(); ++k)
       sides.push_back((s.domain.max[k] - s.domain.min[k]) / spacing + 2 * layers + 2);
   return shell(sides, layers);

@@ -10,10 +10,10 @@ template <int D> void sample_walls(const Scene& scene, Sample& all);
 extern template void sample_walls<2>(const Scene&, Sample&);
 extern template void sample_walls<3>(const Scene&, Sample&);
 
-/// At least as many samples as so many layers of a region's surface have.
+/// An upper bound on the number of boundary particles in `layers` layers of a region's surface.
 double most_samples(const Scene& scene, const Scene::Region& region, double layers);
 
-/// Layers of samples that a method has; 0: it has none.
+/// The number of layers of boundary particles of a method; 0 if it has no boundary particles.
 int wall_layers(const Scene& scene, WallMethod method);
 
 }  // namespace freshet

@@ -9,7 +9,7 @@ namespace freshet {
 namespace {
 
 constexpr double half_turn = std::numbers::pi;
-constexpr double closest = 0.7;  // spacings; two points of a ring are no closer
+constexpr double closest = 0.7;  // spacings: minimum distance of two points of a ring
 
 template <int D> Vec<D, double> axis_of(int k) {
   Vec<D, double> e{};
@@ -17,7 +17,7 @@ template <int D> Vec<D, double> axis_of(int k) {
   return e;
 }
 
-/// D - 1 unit vectors across n and each other; along the axes where n is.
+/// D - 1 unit vectors perpendicular to n and to each other; along axes if n is along an axis.
 template <int D> std::vector<Vec<D, double>> across(Vec<D, double> n) {
   if constexpr (D == 2) {
     return {std::abs(n.x) > std::abs(n.y) ? Vec<2, double>{-n.y, n.x} : Vec<2, double>{n.y, -n.x}};
@@ -46,7 +46,7 @@ template <int D> std::vector<Vec<D, double>> Surface<D>::points(Point low, Point
   return std::move(all_);
 }
 
-/// A lattice that fits the box: its outermost layers, or those around it.
+/// Layers of a lattice that fits the box: the outermost ones in it, or those around it.
 template <int D> void Surface<D>::box() {
   Counts n, beyond(D, layers_);
   Point corner = solid_.center - solid_.half, cell{}, half = solid_.half;
@@ -55,7 +55,7 @@ template <int D> void Surface<D>::box() {
     n.push_back(std::max<std::int64_t>(1, std::llround(side / spacing_)));
     component(cell, k) = side / double(n.back());
   }
-  if (!solid_.fluid_inside) {  // the lattice of what the layers enclose, and what is around that
+  if (!solid_.fluid_inside) {  // the layers are around the inner part of the lattice
     for (int k = 0; k < D; ++k) {
       const std::int64_t layers = std::min<std::int64_t>(layers_, (n[std::size_t(k)] + 1) / 2);
       component(corner, k) += double(layers) * component(cell, k);
@@ -107,7 +107,7 @@ template <int D> void Surface<D>::ball(double radius) {
   }
 }
 
-/// Its mantle in rings, and the two caps as discs.
+/// Rings on the lateral surface, and discs on the two caps.
 template <int D> void Surface<D>::cylinder(double radius, double half_length) {
   if constexpr (D == 3) {
     const auto sides = across<3>(solid_.axis);
@@ -127,7 +127,7 @@ template <int D> void Surface<D>::cylinder(double radius, double half_length) {
 template <int D> void Surface<D>::plane(double outward, Point low, Point high, Point cell) {
   const auto sides = across<D>(solid_.axis);
   const Point middle = 0.5 * (low + high);
-  // the middle, put onto the layer
+  // the middle, projected onto the layer
   const Point foot = middle + (dot(solid_.center - middle, solid_.axis) + outward) * solid_.axis;
   std::int64_t reach[2] = {0, 0};
   Point step[2] = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Points evenly spread, about one spacing apart, on a shape's surface moved into the wall.
+/// Evenly spread points, about one spacing apart, in layers behind the surface of a shape.
 #pragma once
 #include <functional>
 
@@ -12,11 +12,12 @@ template <int D> class Surface {
  public:
   using Point = Vec<D, double>;
 
-  /// `layers` of them, the first half a spacing behind the surface. Of a plane, what lies in the
-  /// box from `low` to `high`, with the spacing of `cell` along its sides.
+  /// The first of `layers` layers is half a spacing behind the surface.
   Surface(const Solid<D, double>& solid, double spacing, int layers)
       : solid_(solid), spacing_(spacing), layers_(layers) {}
 
+  /// The points of all layers. Only a plane reads the arguments: its points are in the box from
+  /// `low` to `high`, and have the spacing of `cell` along axes.
   std::vector<Point> points(Point low, Point high, Point cell);
 
  private:
@@ -25,7 +26,7 @@ template <int D> class Surface {
   void cylinder(double radius, double half_length);
   void plane(double behind, Point low, Point high, Point cell);
   void disc(Point center, Point u, Point v, double radius);
-  /// False where it shrank to its centre, and all inside is filled.
+  /// False if the radius is so small that no further ring fits inside.
   bool ring(Point center, Point u, Point v, double radius);
 
   const Solid<D, double>& solid_;
@@ -34,8 +35,8 @@ template <int D> class Surface {
   std::vector<Point> all_;
 };
 
-/// Calls f with the numbers of each cell of a lattice of `n` cells that lies outside it and at most
-/// `beyond` cells off along each axis, and of none inside; the last axis is slowest.
+/// Calls f with the indices of each cell around a lattice of `n` cells, at most `beyond` cells away
+/// along each axis. Cells inside the lattice are skipped. The last axis is slowest.
 template <int D, class F> void around_lattice(const Counts& n, const Counts& beyond, F f) {
   Counts c(3, 0);
   const std::int64_t z_low = D == 3 ? -beyond.back() : 0;
