@@ -70,14 +70,15 @@ class PathReader {
     throw Error(Error::Kind::scene,
                 whole && line_ == 0 ? file_ : fmt::format("{}:{}", file_, line_), why);
   }
+  /// Messages do not quote the file: it may be any file, and none of its contents may leak.
   void read_header(const std::string& line) {
     for (const std::string_view cell : cells_of(line)) {
       const auto column = column_of(cell);
       if (!column || (*column == 3 && dimension_ == 2))
         fail(
-            fmt::format("the column \"{}\" is unknown; the first line may name time, x, y{} and "
-                        "angle; remove it or rename it",
-                        cell, dimension_ == 3 ? ", z" : ""));
+            fmt::format("the name of column {} is unknown; the first line may name time, x, y{} "
+                        "and angle, as in \"time,x,y\"; remove the column or rename it",
+                        columns_.size() + 1, dimension_ == 3 ? ", z" : ""));
       columns_.push_back(*column);
     }
     if (std::find(columns_.begin(), columns_.end(), 0u) == columns_.end())
@@ -97,7 +98,9 @@ class PathReader {
           std::from_chars(cells[k].data(), cells[k].data() + cells[k].size(), v);
       if (error != std::errc() || end != cells[k].data() + cells[k].size() || !std::isfinite(v))
         fail(
-            fmt::format("\"{}\" is not a finite number; write numbers like 0.5 or 1e-3", cells[k]));
+            fmt::format("the value in column {} is not a finite number; write numbers like 0.5 "
+                        "or 1e-3",
+                        k + 1));
     }
     if (!keys_.empty() && !(value[0] > keys_.back().time))
       fail(fmt::format(
