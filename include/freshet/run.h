@@ -32,8 +32,10 @@ struct RunOptions {
 /// scene.toml, report.json, manifest.json and the last two checkpoints. A failed write leaves no
 /// partial file.
 ///
-/// Throws Error (kind scene) if the folder holds a run (unless `overwrite`) or another run writes
-/// into it. Throws Error (kind run) if a step or a write failed; files written before stay.
+/// Throws Error (kind scene), before anything changes, if the folder holds a run (unless
+/// `overwrite`), another run writes into it, a file that no run wrote would be replaced, or a
+/// folder in it is a symbolic link. Throws Error (kind run) if a step or a write failed; files
+/// written before stay.
 Report run(const Scene& scene, const RunOptions& options);
 
 struct ResumeOptions {

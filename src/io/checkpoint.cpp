@@ -244,13 +244,23 @@ RunCheckpoint read_checkpoint(const std::filesystem::path& file) {
   return decode_checkpoint(text.view(), file.string());
 }
 
+std::set<std::string> checkpoint_names(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / checkpoint_folder, none)) {
+    std::string name = entry.path().filename().string();
+    if (name.ends_with(".part")) name.resize(name.size() - 5);
+    if (name.starts_with("step_") && name.ends_with(".h5")) names.insert(name);
+  }
+  return names;
+}
+
 std::vector<std::filesystem::path> checkpoints_of(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(folder / "checkpoints", none)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("step_") && name.ends_with(".h5")) files.push_back(entry.path());
-  }
+  for (const std::string& name : checkpoint_names(folder))
+    if (std::filesystem::exists(folder / checkpoint_folder / name, none))
+      files.push_back(folder / checkpoint_folder / name);
   std::sort(files.begin(), files.end(), std::greater<>());
   return files;
 }

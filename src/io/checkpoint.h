@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,7 +33,7 @@ struct SeriesRecord {
 /// The state of the outputs of a run.
 struct RunRecord {
   std::string scene_name;                       ///< for report.json
-  Simulation::Moment observed{};                  ///< when wall_forces and flows were last observed
+  Simulation::Moment observed{};                ///< when wall_forces and flows were last observed
   double seconds = 0;                           ///< that steps took
   std::vector<Vector> wall_forces;              ///< as last observed
   std::vector<Flow> flows;                      ///< as last observed
@@ -56,7 +57,10 @@ std::string encode_checkpoint(const RunCheckpoint& checkpoint);
 /// incomplete, damaged, or of another format version.
 RunCheckpoint decode_checkpoint(std::string_view bytes, const std::string& file);
 RunCheckpoint read_checkpoint(const std::filesystem::path& file);
-/// The checkpoints in a run folder, newest first.
+inline constexpr const char* checkpoint_folder = "checkpoints";  // in a run folder
+/// The names of the checkpoints in a run folder, complete or not: "step_000000400.h5".
+std::set<std::string> checkpoint_names(const std::filesystem::path& folder);
+/// The complete checkpoints in a run folder, newest first.
 std::vector<std::filesystem::path> checkpoints_of(const std::filesystem::path& folder);
 
 }  // namespace freshet

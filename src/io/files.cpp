@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 
 #include "freshet/error.h"
@@ -27,21 +28,57 @@ std::string remedy(int reason) {
     case ENOTDIR:
     case EEXIST:
       return "a file stands where a folder must be; choose another `output`";
+    case ELOOP:
+      return "a symbolic link is in the way, and files are written only below the folder; remove "
+             "the link or choose another `output`";
     default:
       return "choose another `output`";
   }
 }
 
-struct Descriptor {
-  explicit Descriptor(int descriptor) : fd(descriptor) {}
-  Descriptor(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (fd >= 0) ::close(fd);
-  }
-  int fd;
-};
+/// The folder that a file is in. Links in its path are the user's choice.
+Descriptor folder_of(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  Descriptor opened(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  if (!opened.good()) fail_file(file, "write", errno);
+  return opened;
+}
 
-/// Writes and syncs; `file` is the name in messages.
+}  // namespace
+
+Descriptor::~Descriptor() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+PartialFile::PartialFile(const std::filesystem::path& file) : PartialFile(folder_of(file), file) {}
+
+PartialFile::PartialFile(Descriptor folder, std::filesystem::path file)
+    : file_(std::move(file)), folder_(std::move(folder)), partial_(-1) {
+  ::unlinkat(folder_.get(), name().c_str(), 0);  // of a run that was killed, or a planted link
+  partial_ = Descriptor(::openat(folder_.get(), name().c_str(),
+                                 O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+  if (!partial_.good()) fail_file(file_, "write", errno);
+}
+
+PartialFile::~PartialFile() {
+  if (!finished_) ::unlinkat(folder_.get(), name().c_str(), 0);
+}
+
+void PartialFile::write(std::string_view bytes) { write_all(partial_.get(), file_, bytes); }
+
+void PartialFile::finish() {
+  const std::string to = file_.filename().string();
+  if (::renameat(folder_.get(), name().c_str(), folder_.get(), to.c_str()) != 0)
+    fail_file(file_, "write", errno);
+  finished_ = true;
+}
+
+void write_file(const std::filesystem::path& file, std::string_view bytes) {
+  PartialFile partial(file);
+  partial.write(bytes);
+  partial.finish();
+}
+
 void write_all(int fd, const std::filesystem::path& file, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(fd, bytes.data(), bytes.size());
@@ -52,59 +89,17 @@ void write_all(int fd, const std::filesystem::path& file, std::string_view bytes
   if (::fsync(fd) != 0 && errno != EINVAL) fail_file(file, "write", errno);
 }
 
-/// A file descriptor; its temporary file goes unless it was kept.
-class Temporary : public Descriptor {
- public:
-  explicit Temporary(std::filesystem::path file)
-      : Descriptor(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)),
-        path(std::move(file)) {}
-  ~Temporary() {
-    if (!kept) ::unlink(path.c_str());
-  }
-  std::filesystem::path path;
-  bool kept = false;
-};
-
-}  // namespace
+std::filesystem::path made_folder(const std::filesystem::path& folder) {
+  std::error_code ec;
+  std::filesystem::create_directories(folder, ec);
+  if (ec) fail_file(folder, "make this folder", ec.value());
+  return folder;
+}
 
 void fail_file(const std::filesystem::path& path, const std::string& operation, int reason) {
   throw Error(Error::Kind::run, path.string(),
               fmt::format("cannot {}: {}; {}", operation, std::strerror(reason), remedy(reason)),
               {"output"});
-}
-
-void write_file(const std::filesystem::path& file, std::string_view bytes) {
-  Temporary beside(file.string() + ".part");
-  if (beside.fd < 0) {
-    beside.kept = true;  // open() failed: the file is not ours to remove
-    fail_file(file, "write", errno);
-  }
-  write_all(beside.fd, file, bytes);
-  rename_file(beside.path, file);
-  beside.kept = true;
-}
-
-void append_file(const std::filesystem::path& file, std::size_t size, std::string_view bytes) {
-  const Descriptor to(::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
-  if (to.fd < 0) fail_file(file, "write", errno);
-  const off_t end = ::lseek(to.fd, 0, SEEK_END);
-  if (end < off_t(size))
-    throw Error(Error::Kind::run, file.string(),
-                fmt::format("this file has {} bytes, and the run wrote {}: another program cut it; "
-                            "keep other programs from changing it",
-                            end, size));
-  if (::ftruncate(to.fd, off_t(size)) != 0 || ::lseek(to.fd, off_t(size), SEEK_SET) < 0)
-    fail_file(file, "write", errno);
-  try {
-    write_all(to.fd, file, bytes);
-  } catch (const Error&) {
-    static_cast<void>(::ftruncate(to.fd, off_t(size)));
-    throw;
-  }
-}
-
-void rename_file(const std::filesystem::path& from, const std::filesystem::path& to) {
-  if (std::rename(from.c_str(), to.c_str()) != 0) fail_file(to, "write", errno);
 }
 
 }  // namespace freshet

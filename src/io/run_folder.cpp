@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "io/run_folder.h"
 
-#include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/file.h>
-#include <unistd.h>
 
-#include <fstream>
-#include <iterator>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "commit.h"
 #include "freshet/error.h"
 #include "freshet/version.h"
-#include "io/files.h"
 
 namespace freshet {
 namespace {
@@ -23,37 +18,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* manifest_name = "manifest.json";
 
-/// The manifest of an earlier run. Files that are not plain paths below the folder are ignored.
-struct Manifest {
-  std::string state;
-  std::set<std::string> files;
-};
-
-Manifest read_manifest(const fs::path& manifest) {
-  Manifest m;
-  const Json json = Json::parse(std::ifstream(manifest), nullptr, false);
-  const auto refuse = [&] {
-    throw Error(Error::Kind::scene, manifest.string(),
-                "not a manifest of Freshet; remove the folder by hand or choose another `output`",
-                {"output"});
-  };
-  if (!json.is_object() || !json.contains("files") || !json["files"].is_array()) refuse();
-  if (json.contains("state") && json["state"].is_string()) m.state = json["state"];
-  for (const Json& file : json["files"]) {
-    const Json entry = file.is_object() ? file.value("file", Json("")) : file;
-    if (!entry.is_string()) refuse();
-    const std::string name = entry;
-    const fs::path path = fs::path(name).lexically_normal();
-    if (!name.empty() && path.is_relative() && *path.begin() != "..") m.files.insert(name);
-  }
-  return m;
-}
-
-fs::path made(const fs::path& folder) {
-  std::error_code ec;
-  fs::create_directories(folder, ec);
-  if (ec) fail_file(folder, "make this folder", ec.value());
-  return folder;
+/// Whether a name cannot leave the folder by itself. Links are another matter: see Folder.
+bool is_below(const fs::path& name) {
+  return !name.empty() && name.is_relative() &&
+         std::find(name.begin(), name.end(), "..") == name.end();
 }
 
 std::string digest_of(std::string_view bytes) {
@@ -62,82 +30,115 @@ std::string digest_of(std::string_view bytes) {
   return sha.hex();
 }
 
-std::string read_whole(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 }  // namespace
 
+/// The manifest of an earlier run. Files that are not plain paths below the folder are ignored.
+struct RunFolder::Manifest {
+  std::string state;
+  std::set<std::string> files;
+};
+
 FolderLock::FolderLock(fs::path folder) : folder_(std::move(folder)) {
-  fd_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (fd_ < 0) fail_file(folder_, "open this folder", errno);
-  if (::flock(fd_, LOCK_EX | LOCK_NB) == 0) return;
-  ::close(fd_);
-  throw Error(Error::Kind::scene, folder_.string(),
+  if (::flock(folder_.descriptor(), LOCK_EX | LOCK_NB) == 0) return;
+  throw Error(Error::Kind::scene, folder_.path().string(),
               "another run is writing into this folder; wait for it or choose another `output`",
               {"output"});
 }
 
-FolderLock::~FolderLock() {
-  if (fd_ >= 0) ::close(fd_);
-}
+FolderLock FolderLock::of_new(const fs::path& folder) { return FolderLock(made_folder(folder)); }
 
-FolderLock FolderLock::of_new(const fs::path& folder) { return FolderLock(made(folder)); }
-
-void RunFolder::take(Take how, const std::vector<std::string>& planned, Provenance provenance) {
-  planned_ = {planned.begin(), planned.end()};
+void RunFolder::take(Take how, const RunPlan& plan, Provenance provenance) {
+  const Manifest old = earlier_manifest(how);
+  refuse_links(plan, how);
+  planned_ = old.files;
+  for (const std::string& file : plan.files) refuse_files_of_others(file, how);
+  planned_ = {plan.files.begin(), plan.files.end()};
   provenance_ = std::move(provenance);
-  clear(how);
-  make_places(planned);
+  taken_ = how;
+  clear(old, how);
+  for (const std::string& file : plan.files) folder().make_folder_of(file);
+  for (const std::string& name : plan.folders) folder().make_folder_of(name + "/");
   write_manifest("running", planned_);
 }
 
-void RunFolder::make_places(const std::vector<std::string>& files) const {
-  for (const std::string& file : files) made((path() / file).parent_path());
+RunFolder::Manifest RunFolder::earlier_manifest(Take take) const {
+  if (!folder().holds(manifest_name)) return {};
+  if (take == Take::empty)
+    throw Error(Error::Kind::scene, path().string(),
+                "this folder holds a run; `overwrite` replaces it (only the files that its "
+                "manifest.json names), resume it, or choose another `output`",
+                {"overwrite", "output"});
+  const auto reject = [this] {
+    throw Error(Error::Kind::scene, (path() / manifest_name).string(),
+                "not a manifest of Freshet; remove the folder by hand or choose another `output`",
+                {"output"});
+  };
+  Manifest m;
+  const Json json = Json::parse(folder().read(manifest_name).value_or(""), nullptr, false);
+  if (!json.is_object() || !json.contains("files") || !json["files"].is_array()) reject();
+  if (json.contains("state") && json["state"].is_string()) m.state = json["state"];
+  for (const Json& file : json["files"]) {
+    const Json entry = file.is_object() ? file.value("file", Json("")) : file;
+    if (!entry.is_string()) reject();
+    if (const std::string name = entry; is_below(name)) m.files.insert(name);
+  }
+  return m;
+}
+
+/// A folder in the plan must not be a link. Nor must a file that a resumed run adds to; other links
+/// are replaced, whatever they point to.
+void RunFolder::refuse_links(const RunPlan& plan, Take take) const {
+  std::set<std::string> places(plan.folders.begin(), plan.folders.end());
+  for (const std::string& file : plan.files)
+    places.insert(take == Take::resume ? file : fs::path(file).parent_path().string());
+  for (const std::string& place : places)
+    if (const std::string link = folder().link_in(place); !link.empty())
+      refuse(link, take,
+             "this is a symbolic link, and a run writes and deletes only below its folder; remove "
+             "the link");
+}
+
+/// A file that is not in `planned_`, which a run must neither replace nor remove.
+void RunFolder::refuse_files_of_others(const std::string& file, Take take) const {
+  if (planned_.contains(file)) return;
+  for (const std::string& name : {file, file + ".part"})
+    if (folder().holds(name))
+      refuse(name, take,
+             "this file was not written by a run, and the run would replace it; move it");
+}
+
+void RunFolder::refuse(const std::string& name, Take take, const std::string& why) const {
+  const bool stays = take == Take::resume;  // a resumed run has no other folder
+  throw Error(Error::Kind::scene, (path() / name).string(),
+              why + (stays ? "" : " or choose another `output`"),
+              stays ? std::vector<std::string>() : std::vector<std::string>{"output"});
 }
 
 /// Removes the files of an earlier run. If the run is resumed, only its partial files are removed.
-void RunFolder::clear(Take take) {
-  const fs::path manifest = path() / manifest_name;
-  Manifest old;
-  if (fs::exists(manifest)) {
-    if (take == Take::empty)
-      throw Error(Error::Kind::scene, path().string(),
-                  "this folder holds a run; `overwrite` replaces it (only the files that its "
-                  "manifest.json names), resume it, or choose another `output`",
-                  {"overwrite", "output"});
-    old = read_manifest(manifest);
-  }
-  for (const std::string& file : planned_)
-    if (fs::exists(path() / file) && !old.files.contains(file))
-      throw Error(Error::Kind::scene, (path() / file).string(),
-                  "this file was not written by a run, and the run would replace it; move it or "
-                  "choose another `output`",
-                  {"output"});
-  std::error_code ignored;  // a missing file of the manifest is no error
+void RunFolder::clear(const Manifest& old, Take take) {
   for (const std::string& file : old.files) {
-    fs::remove(path() / (file + ".part"), ignored);
+    folder().remove(file + ".part");
     if (take == Take::resume) planned_.insert(file);
-    else fs::remove(path() / file, ignored);
+    else folder().remove(file);
   }
   earlier_state_ = old.state;
 }
 
 void RunFolder::write(const std::string& file, std::string_view bytes) {
-  write_file(path() / file, bytes);
+  folder().write(file, bytes);
   written_[file] = {bytes.size(), digest_of(bytes)};
 }
 
 void RunFolder::write_more(const std::string& file, std::string_view bytes) {
-  make_places({file});
+  refuse_files_of_others(file, taken_);
+  folder().make_folder_of(file);
   if (planned_.insert(file).second) write_manifest("running", planned_);
   write(file, bytes);
 }
 
 void RunFolder::append(const std::string& file, std::string_view bytes) {
   Growing& growing = growing_[file];
-  append_file(path() / file, growing.bytes, bytes);
+  folder().append(file, growing.bytes, bytes);
   growing.bytes += bytes.size();
   growing.sha.add(bytes.data(), bytes.size());
   written_[file] = {growing.bytes, appended_sha256(file, growing.bytes)};
@@ -146,13 +147,13 @@ void RunFolder::append(const std::string& file, std::string_view bytes) {
 std::string RunFolder::appended_sha256(const std::string& file, std::size_t bytes) const {
   const auto it = growing_.find(file);
   if (it != growing_.end() && it->second.bytes == bytes) return Sha256(it->second.sha).hex();
-  return digest_of(std::string_view(read_whole(path() / file)).substr(0, bytes));
+  return digest_of(std::string_view(folder().read(file).value_or("")).substr(0, bytes));
 }
 
 bool RunFolder::continue_file(const std::string& file, std::size_t bytes,
                               const std::string& sha256) {
-  if (!fs::exists(path() / file)) return false;
-  const std::string there = read_whole(path() / file);
+  if (!folder().holds(file)) return false;
+  const std::string there = folder().read(file).value_or("");
   if (there.size() < bytes || digest_of(std::string_view(there).substr(0, bytes)) != sha256)
     throw Error(Error::Kind::run, (path() / file).string(),
                 "this table was changed after the run wrote it; put it back, or move it away and "
@@ -161,25 +162,25 @@ bool RunFolder::continue_file(const std::string& file, std::size_t bytes,
   Growing& growing = growing_[file];
   growing.bytes = bytes;
   growing.sha.add(there.data(), bytes);
-  append_file(path() / file, bytes, "");
+  folder().append(file, bytes, "");
   written_[file] = {bytes, appended_sha256(file, bytes)};
   return true;
 }
 
 void RunFolder::remove(const std::string& file) {
-  std::error_code ignored;
-  fs::remove(path() / file, ignored);
+  folder().remove(file);
   written_.erase(file);
 }
 
 void RunFolder::finish(std::string_view state) {
   std::set<std::string> there;
   for (const std::string& file : planned_) {
-    if (!fs::is_regular_file(path() / file)) continue;
-    there.insert(file);
-    if (written_.contains(file)) continue;  // the others were written before the run was resumed
-    const std::string bytes = read_whole(path() / file);
-    written_[file] = {bytes.size(), digest_of(bytes)};
+    if (written_.contains(file) && folder().holds(file)) {
+      there.insert(file);
+    } else if (const auto bytes = folder().read(file)) {  // of the run before it was resumed
+      there.insert(file);
+      written_[file] = {bytes->size(), digest_of(*bytes)};
+    }
   }
   write_manifest(state, there);
 }
@@ -203,8 +204,8 @@ void RunFolder::write_manifest(std::string_view state, const std::set<std::strin
                       {"command", provenance_.command},
                       {"state", state},
                       {"files", list}};
-  write_file(path() / manifest_name,
-             manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  folder().write(manifest_name,
+                 manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace freshet

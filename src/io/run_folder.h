@@ -5,10 +5,10 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/sha256.h"
+#include "io/folder.h"
 
 namespace freshet {
 
@@ -27,31 +27,35 @@ class FolderLock {
   explicit FolderLock(std::filesystem::path folder);
   /// Of a folder that is made where it is missing.
   static FolderLock of_new(const std::filesystem::path& folder);
-  FolderLock(FolderLock&& o) noexcept
-      : folder_(std::move(o.folder_)), fd_(std::exchange(o.fd_, -1)) {}
-  FolderLock& operator=(FolderLock&&) = delete;
-  ~FolderLock();
-  const std::filesystem::path& folder() const { return folder_; }
+  const Folder& folder() const { return folder_; }
 
  private:
-  std::filesystem::path folder_;
-  int fd_ = -1;
+  Folder folder_;  // its descriptor holds the lock
+};
+
+/// What a run may write or delete.
+struct RunPlan {
+  std::vector<std::string> files;
+  std::vector<std::string> folders;  ///< of files that get their names later
 };
 
 /// The folder of a run. manifest.json names every file before it is written, so that a run that was
-/// killed can be replaced or resumed. Not thread-safe.
+/// killed can be replaced or resumed. Files that neither this manifest nor that of the earlier run
+/// names are never replaced or removed. Not thread-safe.
 class RunFolder {
  public:
   enum class Take { empty, overwrite, resume };
 
   explicit RunFolder(FolderLock lock) : lock_(std::move(lock)) {}
-  /// Takes the folder over before the first write. `planned` are files that the run may write.
-  /// Throws Error: see freshet::run and freshet::resume.
-  void take(Take take, const std::vector<std::string>& planned, Provenance provenance);
+  /// Takes the folder over before the first write. Throws Error, before anything changes, if a file
+  /// of the plan exists that no run wrote, or if a part of its path is a symbolic link. See also
+  /// freshet::run and freshet::resume.
+  void take(Take take, const RunPlan& plan, Provenance provenance);
 
-  const std::filesystem::path& path() const { return lock_.folder(); }
+  const std::filesystem::path& path() const { return folder().path(); }
   void write(const std::string& file, std::string_view bytes);
-  /// Writes a file that was not planned, and adds it to the manifest first.
+  /// Writes a file that was not planned, and adds it to the manifest first. Throws Error (kind
+  /// scene) if the file exists and no run wrote it.
   void write_more(const std::string& file, std::string_view bytes);
   /// Adds bytes at the end of a planned file, which the first call makes.
   void append(const std::string& file, std::string_view bytes);
@@ -75,11 +79,17 @@ class RunFolder {
     std::size_t bytes = 0;
     Sha256 sha;
   };
-  void clear(Take take);
-  void make_places(const std::vector<std::string>& files) const;
+  struct Manifest;
+  const Folder& folder() const { return lock_.folder(); }
+  Manifest earlier_manifest(Take take) const;
+  void refuse_links(const RunPlan& plan, Take take) const;
+  void refuse_files_of_others(const std::string& file, Take take) const;
+  [[noreturn]] void refuse(const std::string& name, Take take, const std::string& why) const;
+  void clear(const Manifest& old, Take take);
   void write_manifest(std::string_view state, const std::set<std::string>& files) const;
 
   FolderLock lock_;
+  Take taken_ = Take::empty;
   std::set<std::string> planned_;
   Provenance provenance_;
   std::map<std::string, Written> written_;

@@ -62,7 +62,7 @@ void Video::check(const std::filesystem::path& file, bool overwrite) {
 }
 
 Video::Video(std::filesystem::path file, int width, int height, double fps)
-    : file_(std::move(file)), beside_(file_.string() + ".part") {
+    : file_(std::move(file)), partial_(file_) {
   const bool gif = file_.extension() == ".gif";
   int ends[2];
   words_ = ::memfd_create("ffmpeg's words", MFD_CLOEXEC);
@@ -74,7 +74,7 @@ Video::Video(std::filesystem::path file, int width, int height, double fps)
   posix_spawn_file_actions_adddup2(&actions, ends[1], 0);
   posix_spawn_file_actions_adddup2(&actions, words_, 1);
   posix_spawn_file_actions_adddup2(&actions, words_, 2);
-  std::vector<std::string> words = arguments(beside_, gif, width, height, fps);
+  std::vector<std::string> words = arguments(partial_.path(), gif, width, height, fps);
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
@@ -90,8 +90,6 @@ Video::Video(std::filesystem::path file, int width, int height, double fps)
 
 Video::~Video() {
   wait();
-  std::error_code ignored;
-  std::filesystem::remove(beside_, ignored);
   ::close(words_);
 }
 
@@ -127,7 +125,7 @@ void Video::add(const Image& image) {
 
 void Video::finish() {
   if (!wait()) fail();
-  rename_file(beside_, file_);
+  partial_.finish();
 }
 
 }  // namespace freshet

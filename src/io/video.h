@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "io/files.h"
 #include "render/image.h"
 
 namespace freshet {
@@ -28,7 +29,8 @@ class Video {
   [[noreturn]] void fail();
   bool wait();
 
-  std::filesystem::path file_, beside_;
+  std::filesystem::path file_;
+  PartialFile partial_;  // which ffmpeg opens by its name
   int pipe_ = -1, words_ = -1;
   pid_t ffmpeg_ = -1;
 };

@@ -20,7 +20,7 @@ constexpr std::size_t checkpoints_that_stay = 2;
 constexpr const char* failure_picture = "failure.png";
 
 std::string checkpoint_name(std::int64_t step) {
-  return fmt::format("checkpoints/step_{:09}.h5", step);
+  return fmt::format("{}/step_{:09}.h5", checkpoint_folder, step);
 }
 
 Provenance provenance(const Scene& scene, const Execution& execution,
@@ -45,8 +45,8 @@ Observer::Observer(Simulation& sim, FolderLock lock, RunRecord record, Inputs in
 
 Observer::Observer(Simulation& sim, const RunOptions& options)
     : Observer(sim, FolderLock::of_new(options.output), {}, inputs_of(sim.scene()), options.video) {
-  folder_.take(options.overwrite ? RunFolder::Take::overwrite : RunFolder::Take::empty,
-               planned_files(), provenance(sim.scene(), options.execution, options.command));
+  folder_.take(options.overwrite ? RunFolder::Take::overwrite : RunFolder::Take::empty, plan(),
+               provenance(sim.scene(), options.execution, options.command));
   record_.scene_name = options.scene_name;
   for (const auto& [name, bytes] : inputs_.files) folder_.write(name, bytes);
   folder_.write("scene.toml", inputs_.source);
@@ -57,12 +57,12 @@ Observer::Observer(Simulation& sim, const ResumeOptions& options, FolderLock loc
     : Observer(sim, std::move(lock), std::move(record),
                {sim.scene().source, {}},  // the input files lie in the folder
                {}) {
-  folder_.take(RunFolder::Take::resume, planned_files(),
+  folder_.take(RunFolder::Take::resume, plan(),
                provenance(sim.scene(), options.execution, options.command));
   before_ = sim.time();
   saved_ = sim.steps_done();
   for (const auto& file : checkpoints_of(options.folder))
-    checkpoints_.push_front("checkpoints/" + file.filename().string());
+    checkpoints_.push_front(fmt::format("{}/{}", checkpoint_folder, file.filename().string()));
   folder_.write("scene.toml", inputs_.source);
   folder_.remove("report.json");
   const bool prolonged = !sim.finished();
@@ -72,12 +72,16 @@ Observer::Observer(Simulation& sim, const ResumeOptions& options, FolderLock loc
   if (options.warn && !missing.empty()) options.warn(missing);
 }
 
-std::vector<std::string> Observer::planned_files() const {
-  std::vector<std::string> files{"result.png", "scene.toml", "report.json"};
-  for (const auto& [name, bytes] : inputs_.files) files.push_back(name);
+/// Checkpoints get their names later. Those in the folder are planned: a run may replace and rotate
+/// its own, and those of others must not be there.
+RunPlan Observer::plan() const {
+  RunPlan plan{{"result.png", "scene.toml", "report.json", failure_picture}, {checkpoint_folder}};
+  for (const auto& [name, bytes] : inputs_.files) plan.files.push_back(name);
   for (const auto& output : outputs_)
-    for (std::string& file : output->files()) files.push_back(std::move(file));
-  return files;
+    for (std::string& file : output->files()) plan.files.push_back(std::move(file));
+  for (const std::string& name : checkpoint_names(folder_.path()))
+    plan.files.push_back(fmt::format("{}/{}", checkpoint_folder, name));
+  return plan;
 }
 
 void Observer::write(Output& output, const StepTaken& step) {

@@ -40,7 +40,7 @@ class Observer {
   using Clock = std::chrono::steady_clock;
   Observer(Simulation& sim, FolderLock lock, RunRecord record, Inputs inputs,
            const std::optional<VideoOptions>& video);
-  std::vector<std::string> planned_files() const;
+  RunPlan plan() const;
   void write(Output& output, const StepTaken& step);
   void remember_scheduled();
 

@@ -10,7 +10,7 @@
 
 #include "core/text.h"
 #include "freshet/error.h"
-#include "io/files.h"
+#include "io/folder.h"
 #include "render/chart.h"
 #include "run/table.h"
 #include "scene/keys/suggest.h"
@@ -251,10 +251,16 @@ std::vector<fs::path> files_of(const PlotOptions& o) {
   refuse(output.string(), "a plot is FILE.svg or FILE.png, or both in a folder; name one of these");
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code ec;
-  if (!folder.empty()) fs::create_directories(folder, ec);
-  if (ec) fail_file(folder, "make this folder", ec.value());
+/// Writes below the folder of the run, or where the user wants it.
+void write_plot(const PlotOptions& options, const fs::path& file, const std::string& bytes) {
+  if (options.output.empty()) {
+    const Folder run(options.run);
+    const std::string name = "plots/" + file.filename().string();
+    run.make_folder_of(name);
+    return run.write(name, bytes);
+  }
+  if (file.has_parent_path()) made_folder(file.parent_path());
+  write_file(file, bytes);
 }
 
 }  // namespace
@@ -277,10 +283,8 @@ std::vector<fs::path> plot(const PlotOptions& options) {
     refuse((options.run / "observables.csv").string(),
            "none of the columns that every run has; name those to draw with `columns`",
            {"columns"});
-  for (const fs::path& file : files) {
-    make_folder(file.parent_path());
-    write_file(file, file.extension() == ".svg" ? chart_svg(chart) : chart_png(chart));
-  }
+  for (const fs::path& file : files)
+    write_plot(options, file, file.extension() == ".svg" ? chart_svg(chart) : chart_png(chart));
   return files;
 }
 

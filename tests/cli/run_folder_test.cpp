@@ -97,6 +97,80 @@ TEST(RunFolder, IsRejectedIfAForeignFileWouldBeReplaced) {
   }
 }
 
+// A run cannot know the steps of its checkpoints before, but it must not replace or rotate others'.
+TEST(RunFolder, IsRejectedIfItHoldsCheckpointsOfOthers) {
+  for (const char* name : {"checkpoints/step_000000050.h5", "checkpoints/step_999999999.h5",
+                           "checkpoints/step_000000050.h5.part", "failure.png"}) {
+    SCOPED_TRACE(name);
+    const TemporaryFolder folder;
+    freshet(short_run(folder / "old"));
+    write_text(folder / "old" / name, "mine");
+    write_text(folder / "new" / name, "mine");
+    const auto old = snapshot(folder / "old"), fresh = snapshot(folder / "new");
+    expect_refused(short_run(folder / "new"), "this file was not written by a run");
+    if (std::string(name) != "checkpoints/step_000000050.h5" &&
+        std::string(name) != "checkpoints/step_000000050.h5.part")  // the old run's own
+      expect_refused(short_run(folder / "old", {"--overwrite"}),
+                     (folder / "old" / name).string() + ": error: this file was not written");
+    EXPECT_EQ(snapshot(folder / "old"), old);
+    EXPECT_EQ(snapshot(folder / "new"), fresh);
+  }
+  const TemporaryFolder folder;
+  write_text(folder / "checkpoints/notes.txt", "mine");
+  EXPECT_EQ(freshet(short_run(folder.path(), {"--set", "checks.height_mean_max=3"})).code, 0);
+  EXPECT_EQ(read_text(folder / "checkpoints/notes.txt"), "mine");
+}
+
+TEST(RunFolder, WritesAndDeletesNothingThroughALink) {
+  for (const char* name : {"frames", "checkpoints", "data"}) {
+    SCOPED_TRACE(name);
+    const std::vector<std::string> data{"--set", "output.data=[\"csv\"]"};
+    const TemporaryFolder folder;
+    freshet(short_run(folder / "run", data));
+    fs::rename(folder / "run" / name, folder / "outside");
+    fs::create_directory_symlink("../outside", folder / "run" / name);
+    fs::create_directories(folder / "new");
+    fs::create_directory_symlink("../outside", folder / "new" / name);
+    const auto outside = snapshot(folder / "outside"), run = snapshot(folder / "run");
+    ASSERT_FALSE(outside.empty());
+    auto over = data;
+    over.push_back("--overwrite");
+    expect_refused(short_run(folder / "run", over),
+                   (folder / "run" / name).string() + ": error: this is a symbolic link");
+    expect_refused(short_run(folder / "new", data),
+                   (folder / "new" / name).string() + ": error: this is a symbolic link");
+    EXPECT_EQ(snapshot(folder / "outside"), outside);
+    EXPECT_EQ(snapshot(folder / "run"), run);
+    if (std::string(name) != "data") continue;
+    // a run without data files does not need the folder, whose files the manifest names
+    const auto r = freshet(short_run(folder / "run", {"--overwrite", "--set", "output.data=[]"}));
+    EXPECT_FALSE(contains(r.err, "symbolic link")) << r.err;
+    EXPECT_EQ(snapshot(folder / "outside"), outside);
+  }
+}
+
+TEST(RunFolder, ReplacesPlantedLinksToFiles) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> names{"result.png.part", "scene.toml.part", "manifest.json.part",
+                                       "frames/frame_0000.png.part"};
+  const auto plant = [&](const fs::path& run) {
+    for (const std::string& name : names) {
+      fs::create_directories((run / name).parent_path());
+      fs::create_symlink(folder / "victim", run / name);
+    }
+  };
+  write_text(folder / "victim", "precious");
+  freshet(short_run(folder / "run"));
+  plant(folder / "run");
+  const auto r =
+      freshet(short_run(folder / "run", {"--overwrite", "--set", "checks.height_mean_max=3"}));
+  EXPECT_EQ(r.code, 0) << r.err;
+  expect_whole_run(folder / "run");
+  plant(folder / "new");  // no run wrote them there
+  expect_refused(short_run(folder / "new"), "this file was not written by a run");
+  EXPECT_EQ(read_text(folder / "victim"), "precious");
+}
+
 TEST(RunFolder, ForgedManifestDeletesNothingOutside) {
   const TemporaryFolder folder;
   const std::string victim = (folder / "victim.txt").string();

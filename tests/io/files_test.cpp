@@ -5,8 +5,8 @@
 
 #include <fstream>
 
-#include "freshet/error.h"
 #include "core/sha256.h"
+#include "freshet/error.h"
 
 namespace freshet {
 namespace {
@@ -32,6 +32,31 @@ TEST(WriteFile, ReplacesAFileAndLeavesNoPartialFile) {
   std::filesystem::create_directories(folder / "full" / "x");
   EXPECT_THROW(write_file(folder / "full", "four"), Error);  // full is a folder
   EXPECT_FALSE(std::filesystem::exists(folder / "full.part"));
+}
+
+TEST(WriteFile, ReplacesAPartialFileAndFollowsNoLink) {
+  const auto folder = std::filesystem::path(::testing::TempDir()) / "freshet_files_links_test";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  const auto text_of = [&](const char* name) {
+    std::string text;
+    std::getline(std::ifstream(folder / name), text);
+    return text;
+  };
+  std::ofstream(folder / "victim") << "precious";
+  std::ofstream(folder / "a.part") << "of a run that was killed";
+  write_file(folder / "a", "one");
+  EXPECT_EQ("one", text_of("a"));
+  std::filesystem::create_symlink("victim", folder / "b.part");
+  std::filesystem::create_symlink("victim", folder / "b");
+  write_file(folder / "b", "two");
+  EXPECT_EQ("two", text_of("b"));
+  EXPECT_FALSE(std::filesystem::is_symlink(folder / "b"));
+  std::filesystem::create_hard_link(folder / "victim", folder / "c.part");
+  write_file(folder / "c", "three");
+  EXPECT_EQ("three", text_of("c"));
+  EXPECT_EQ("precious", text_of("victim"));
+  EXPECT_EQ(4, std::distance(std::filesystem::directory_iterator(folder), {}));
 }
 
 }  // namespace
