@@ -51,9 +51,12 @@ struct ResumeOptions {
 /// Resumes a run from its newest valid checkpoint. The result has the same bits and the same files
 /// as an uninterrupted run.
 ///
-/// Throws Error (kind scene) if the folder holds no run, another run writes into it, or an override
-/// changes a key that may not change. Throws Error (kind run) if no checkpoint is valid, or if a
-/// step or a write failed.
+/// The scene is that of scene.toml in the folder, with the overrides.
+///
+/// Throws Error (kind scene) if the folder holds no run, another run writes into it, an override
+/// changes a key that may not change, time.end is before the checkpoint, or the checkpoint is of
+/// another scene or was not written by the run. Throws Error (kind run) if no checkpoint is valid,
+/// or if a step or a write failed.
 Report resume(const ResumeOptions& options);
 
 }  // namespace freshet

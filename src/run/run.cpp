@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
+#include <fstream>
+#include <iterator>
 
+#include "io/video.h"
 #include "run/observer.h"
 #include "scene/keys/keys.h"
+#include "scene/keys/same_steps.h"
 
 namespace freshet {
 namespace {
@@ -73,30 +76,43 @@ Report run_observed(Simulation& sim, Observer& observer, const AfterStep& after_
   }
 }
 
-/// Keys that no step depends on.
-bool may_change(const std::string& key) {
-  static constexpr const char* free[] = {"time.end", "title", "description"};
-  static constexpr const char* free_tables[] = {"output.", "picture.", "camera", "checks."};
-  return std::any_of(std::begin(free), std::end(free), [&](auto name) { return key == name; }) ||
-         std::any_of(std::begin(free_tables), std::end(free_tables),
-                     [&](auto table) { return key.starts_with(table); });
+/// The scene.toml of a run folder; empty if it is missing.
+std::string scene_text_in(const fs::path& folder) {
+  std::ifstream in(folder / "scene.toml", std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A checkpoint may have been copied from another run. Earlier resumes may have changed the keys in
+/// scene.toml that no step depends on.
+void check_scene(const RunCheckpoint& c, const fs::path& checkpoint, const fs::path& folder) {
+  const std::string text = scene_text_in(folder), file = (folder / "scene.toml").string();
+  if (text.empty()) return;
+  const std::string key = differing_key(c.scene, checkpoint.string(), text, file);
+  if (!key.empty())
+    throw Error(Error::Kind::scene, checkpoint.string(),
+                fmt::format("this checkpoint is of another scene: {} differs from {}; move away "
+                            "the checkpoint if it is of another run, or else put back scene.toml",
+                            key, file));
 }
 
 /// The newest checkpoint that is whole; what is wrong with newer ones is told.
 RunCheckpoint newest_checkpoint(const ResumeOptions& options) {
   std::vector<Diagnostic> wrong;
   for (const fs::path& file : checkpoints_of(options.folder)) {
+    RunCheckpoint c;
     try {
-      RunCheckpoint c = read_checkpoint(file);
-      for (Diagnostic& d : wrong) {
-        d.severity = Diagnostic::Severity::warning;
-        d.message += fmt::format("; going on from step {}", c.steps);
-      }
-      if (options.warn) options.warn(wrong);
-      return c;
+      c = read_checkpoint(file);
     } catch (const Error& error) {
       wrong.push_back(error.diagnostics().front());
+      continue;
     }
+    check_scene(c, file, options.folder);
+    for (Diagnostic& d : wrong) {
+      d.severity = Diagnostic::Severity::warning;
+      d.message += fmt::format("; going on from step {}", c.steps);
+    }
+    if (options.warn) options.warn(wrong);
+    return c;
   }
   if (!wrong.empty()) throw Error(Error::Kind::run, std::move(wrong));
   const bool is_run = fs::exists(options.folder / "manifest.json");
@@ -104,6 +120,16 @@ RunCheckpoint newest_checkpoint(const ResumeOptions& options) {
               is_run ? "this run has left no checkpoint to go on from; run its scene.toml again, "
                        "and see output.checkpoint_every"
                      : "this folder holds no run; name the folder of one");
+}
+
+/// A run cannot end before the moment that it has reached. An end within the last step is that of
+/// a run that has reached it.
+void check_end(const Simulation& sim, const ResumeOptions& options) {
+  for (const auto& [key, value] : options.overrides)
+    if (key == "time.end" &&
+        sim.scene().time.end <= sim.time() - sim.time_steps().last * (1 - 1e-6))
+      throw Error(Error::Kind::scene, "override time.end",
+                  fmt::format("time.end must be later than {:g} s, where the run is", sim.time()));
 }
 
 }  // namespace
@@ -117,17 +143,20 @@ Report run(const Scene& scene, const RunOptions& options) {
 
 Report resume(const ResumeOptions& options) {
   for (const auto& [key, value] : options.overrides)
-    if (!may_change(key))
+    if (steps_depend_on(key))
       throw Error(Error::Kind::scene, "override " + key,
                   "this changes what has been simulated; a run that goes on takes time.end and "
                   "the keys of output, picture, camera and checks; for another simulation, run "
                   "its scene.toml");
   FolderLock lock(options.folder);
   RunCheckpoint checkpoint = newest_checkpoint(options);
-  const Scene scene =
-      parse_scene(checkpoint.scene, (options.folder / "scene.toml").string(), options.overrides);
+  // an earlier resume may have prolonged the run and been killed before its first checkpoint
+  const std::string text = scene_text_in(options.folder);
+  const Scene scene = parse_scene(text.empty() ? checkpoint.scene : text,
+                                  (options.folder / "scene.toml").string(), options.overrides);
   Simulation sim(scene, options.execution);
   sim.restore(checkpoint);
+  check_end(sim, options);
   if (sim.finished() && fs::exists(options.folder / "report.json"))
     throw Error(
         Error::Kind::scene, options.folder.string(),

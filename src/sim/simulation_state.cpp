@@ -9,6 +9,7 @@
 
 #include "core/sha256.h"
 #include "freshet/checkpoint.h"
+#include "scene/keys/same_steps.h"
 #include "sim/simulation_impl.h"
 
 namespace freshet {
@@ -176,6 +177,12 @@ void Simulation::restore(const Checkpoint& c) {
   }
   if (c.walls_sha256 != impl_->state_digest(StateArray::Role::fixed))
     refuse("its walls are others; has a file of points changed?");
+  if (const std::string& here_as_text = impl_->scene.source;
+      !c.scene.empty() && !here_as_text.empty())
+    if (const std::string key =
+            differing_key(c.scene, "scene.toml of the checkpoint", here_as_text, "scene");
+        !key.empty())
+      refuse(fmt::format("{} differs; restore it into a simulation of its own scene", key));
   for (const StateArray& a : state) {
     const auto it = stored(a);
     std::copy(it->bytes.begin(), it->bytes.end(), a.data);

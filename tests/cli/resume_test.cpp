@@ -142,6 +142,110 @@ TEST_F(Resume, ExtendedRunEqualsALongerRun) {
   expect_same_run("whole", "short");
 }
 
+TEST_F(Resume, RejectsAnEndBeforeTheMomentOfTheRun) {
+  ASSERT_EQ(freshet(arguments("run", {"--set", "time.end=0.1"})).code, 0);
+  for (const bool killed : {false, true}) {
+    if (killed) fs::remove(folder / "run/report.json");  // after the last checkpoint
+    const auto before = read_text(folder / "run/scene.toml");
+    for (const char* end : {"0.05", "0.0995"}) {
+      const auto r = resume("run", {"--set", std::string("time.end=") + end});
+      EXPECT_EQ(r.code, 2) << r.out;
+      EXPECT_TRUE(contains(r.err,
+                           "--set time.end: error: time.end must be later than 0.1 s, where the "
+                           "run is"))
+          << r.err;
+    }
+    EXPECT_EQ(before, read_text(folder / "run/scene.toml"));
+  }
+  const auto end = resume("run", {"--set", "time.end=0.1"});  // writes what the killed run lacks
+  EXPECT_EQ(end.code, 0) << end.err;
+  expect_whole_run(folder / "run");
+}
+
+// A resume that is killed before its first checkpoint leaves the new end in scene.toml only.
+TEST_F(Resume, KeepsTheEndOfAnEarlierResume) {
+  ASSERT_EQ(freshet(arguments("whole")).code, 0);
+  ASSERT_EQ(freshet(arguments("run", {"--set", "time.end=0.1"})).code, 0);
+  const fs::path file = folder / "run/scene.toml";
+  std::string text = read_text(file);
+  text.replace(text.find("end = 0.1"), 9, "end = 0.25");
+  write_text(file, text);
+  fs::remove(folder / "run/report.json");
+  const auto r = resume("run");
+  ASSERT_EQ(r.code, 0) << r.err;
+  expect_same_run("whole", "run");
+}
+
+TEST_F(Resume, RejectsACheckpointOfAnotherScene) {
+  ASSERT_EQ(freshet(arguments("run", {"--set", "time.end=0.1"})).code, 0);
+  ASSERT_EQ(
+      freshet(arguments("other", {"--set", "time.end=0.2", "--set", "domain.gravity=[0.0, -1.6]"}))
+          .code,
+      0);
+  const fs::path foreign = checkpoints("other").back();
+  for (const std::string& name : {foreign.filename().string(), std::string("step_000000200.h5")}) {
+    SCOPED_TRACE(name);
+    const fs::path copy = folder / "run/checkpoints" / name, own = folder / "own";
+    if (fs::exists(copy)) fs::rename(copy, own);
+    fs::copy_file(foreign, copy);
+    const auto before = files_below(folder / "run");
+    const std::string report = read_text(folder / "run/report.json");
+    const auto r = resume("run", {"--set", "time.end=0.25"});
+    EXPECT_EQ(r.code, 2) << r.err;
+    const std::string scene_file = (folder / "run/scene.toml").string();
+    EXPECT_TRUE(contains(r.err, copy.string() +
+                                    ": error: this checkpoint is of another scene: "
+                                    "domain.gravity differs from " +
+                                    scene_file))
+        << r.err;
+    EXPECT_EQ(before, files_below(folder / "run"));
+    EXPECT_EQ(report, read_text(folder / "run/report.json"));
+    fs::remove(copy);
+    if (fs::exists(own)) fs::rename(own, copy);
+  }
+  const auto r = resume("run", {"--set", "time.end=0.25"});
+  EXPECT_EQ(r.code, 0) << r.err;
+}
+
+// Of the same scene, so that only the manifest shows that the run did not write it.
+TEST_F(Resume, NeitherUsesNorRemovesACheckpointOfOthers) {
+  ASSERT_EQ(freshet(arguments("run", {"--set", "time.end=0.1"})).code, 0);
+  const fs::path copy = folder / "run/checkpoints/step_000000150.h5";
+  fs::copy_file(checkpoints("run").front(), copy);
+  const std::string bytes = read_text(copy), manifest = read_text(folder / "run/manifest.json");
+  const auto r = resume("run", {"--set", "time.end=0.25"});
+  EXPECT_EQ(r.code, 2) << r.err;
+  EXPECT_TRUE(contains(r.err, copy.string() + ": error: this file was not written by a run"))
+      << r.err;
+  EXPECT_EQ(bytes, read_text(copy));
+  EXPECT_EQ(manifest, read_text(folder / "run/manifest.json"));
+  fs::remove(copy);
+  EXPECT_EQ(resume("run", {"--set", "time.end=0.25"}).code, 0);
+}
+
+TEST_F(Resume, WritesThroughNoLink) {
+  ASSERT_EQ(freshet(arguments("run", {"--set", "time.end=0.1"})).code, 0);
+  for (const char* name : {"observables.csv", "frames"}) {
+    SCOPED_TRACE(name);
+    fs::rename(folder / "run" / name, folder / "outside");
+    fs::create_symlink(folder / "outside", folder / "run" / name);
+    const auto before = fs::is_directory(folder / "outside")
+                            ? std::to_string(files_below(folder / "outside").size())
+                            : read_text(folder / "outside");
+    const auto r = resume("run", {"--set", "time.end=0.25"});
+    EXPECT_EQ(r.code, 2) << r.err;
+    EXPECT_TRUE(contains(r.err, (folder / "run" / name).string() + ": error: this is a symbolic "
+                                                                   "link"))
+        << r.err;
+    EXPECT_EQ(before, fs::is_directory(folder / "outside")
+                          ? std::to_string(files_below(folder / "outside").size())
+                          : read_text(folder / "outside"));
+    fs::remove(folder / "run" / name);
+    fs::rename(folder / "outside", folder / "run" / name);
+  }
+  EXPECT_EQ(resume("run", {"--set", "time.end=0.25"}).code, 0);
+}
+
 TEST_F(Resume, UsesTheCheckpointBeforeADamagedOne) {
   ASSERT_EQ(freshet(arguments("whole")).code, 0);
   for (const bool torn : {true, false}) {

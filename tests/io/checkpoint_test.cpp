@@ -166,5 +166,23 @@ TEST(Restore, RejectsAnotherSceneAndKeepsTheState) {
                                    .find("this checkpoint is not of this scene"));
 }
 
+// Arrays of the same sizes do not make two scenes the same.
+TEST(Restore, RejectsASceneThatDiffersInAKeyOfTheSteps) {
+  const RunCheckpoint c = checkpoint();
+  const auto restored = [&](const std::vector<Override>& changes) {
+    Simulation sim(parse_scene(scene, "test.toml", changes));
+    const std::string before = sim.state_sha256(), words = message_of([&] { sim.restore(c); });
+    EXPECT_EQ(words == "no error", before != sim.state_sha256());
+    return words;
+  };
+  const std::string refused = "error: this checkpoint is not of this scene: ";
+  EXPECT_EQ(refused + "time.step differs; restore it into a simulation of its own scene",
+            restored({{"time.step", "0.0005"}}));
+  EXPECT_TRUE(
+      restored({{"domain.gravity", "[0, -1.62]"}}).starts_with(refused + "domain.gravity differs"));
+  EXPECT_EQ("no error", restored({{"time.end", "3"}, {"title", "t"}, {"picture.width", "64"}}));
+  EXPECT_EQ("no error", restored({{"solver.backend", "reference"}}));
+}
+
 }  // namespace
 }  // namespace freshet

@@ -9,6 +9,7 @@
 #include "scene/check/check.h"
 #include "scene/keys/nesting.h"
 #include "scene/keys/overrides.h"
+#include "scene/keys/parse_toml.h"
 #include "scene/keys/reader.h"
 #include "scene/model/setup.h"
 
@@ -75,21 +76,6 @@ std::string syntax_message(std::string words) {
   return words;
 }
 
-toml::table parse_toml(const std::string& text, const std::string& name) {
-  if (const NestingScan scan(text); scan.too_deep())
-    throw Error(Error::Kind::scene, fmt::format("{}:{}:1", name, scan.line()),
-                fmt::format("keys or brackets are nested too deeply in this line; at most {} "
-                            "levels are allowed; is it a scene file?",
-                            NestingScan::deepest));
-  try {
-    return toml::parse(text, name);
-  } catch (const toml::parse_error& e) {
-    const auto at = e.source().begin;
-    throw Error(Error::Kind::scene, fmt::format("{}:{}:{}", name, at.line, at.column),
-                syntax_message(std::string(e.description())));
-  }
-}
-
 /// Throws the errors in the order of the file, at most `most_errors` of them.
 void throw_errors(std::vector<Diagnostic> errors, const SceneReader& reader,
                   const std::string& name) {
@@ -131,6 +117,21 @@ void find_files(Scene& scene, const std::string& name) {
 }
 
 }  // namespace
+
+toml::table parse_toml(const std::string& text, const std::string& name) {
+  if (const NestingScan scan(text); scan.too_deep())
+    throw Error(Error::Kind::scene, fmt::format("{}:{}:1", name, scan.line()),
+                fmt::format("keys or brackets are nested too deeply in this line; at most {} "
+                            "levels are allowed; is it a scene file?",
+                            NestingScan::deepest));
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& e) {
+    const auto at = e.source().begin;
+    throw Error(Error::Kind::scene, fmt::format("{}:{}:{}", name, at.line, at.column),
+                syntax_message(std::string(e.description())));
+  }
+}
 
 Scene parse_scene(const std::string& text, const std::string& name,
                   const std::vector<Override>& overrides) {
