@@ -33,6 +33,7 @@ int render_run(const RenderArguments& a) {
     if (bar) std::fflush(stdout);
     return !stop_asked();
   };
+  if (!a.quiet) options.warn = print_diagnostics;
   catch_interrupts();
   const RenderReport r = render(options);
   if (!a.quiet)

@@ -20,6 +20,8 @@ struct RenderOptions {
   /// Called after every picture with the number done and the total. Returning false stops the
   /// rendering; finished pictures stay.
   std::function<bool(std::size_t done, std::size_t all)> after_picture;
+  /// Receives a warning before the first picture if data files are missing between others.
+  std::function<void(const std::vector<Diagnostic>&)> warn;
 };
 
 struct RenderReport {
@@ -30,11 +32,12 @@ struct RenderReport {
 
 /// Renders the frames of a run again from its data files, with other colours or another camera.
 /// Writes output/frame_0000.png ... and optionally a video that shows each frame until the time of
-/// the next one.
+/// the next one. A picture has the number of its data file. Bodies are drawn from bodies.csv.
 ///
 /// Throws Error (kind scene) if the folder holds no run or no data, an override is neither of
-/// picture nor of camera, or a picture exists (unless `overwrite`). Throws Error (kind run) if a
-/// file cannot be read or written.
+/// picture nor of camera, a picture exists (unless `overwrite`), a data file is damaged, or
+/// bodies.csv is missing, damaged or without the step of a data file. Throws Error (kind run) if a
+/// file cannot be written.
 RenderReport render(const RenderOptions& options);
 
 }  // namespace freshet

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 #include "formats/point_sink.h"
@@ -90,22 +92,27 @@ void FrameColumns::add(const std::vector<double>& values) {
 
 constexpr const char* extensions[] = {".h5", ".vtp", ".ply", ".csv"};
 
-bool is_frame(const fs::path& file, const std::string& extension) {
-  return file.extension() == extension && file.stem().string().starts_with("frame_");
+/// The number of "frame_0007.vtp"; empty for names that data_file would not give.
+std::optional<std::int64_t> number_of_frame(const fs::path& file, const std::string& extension) {
+  const std::string name = file.filename().string();
+  std::int64_t number = 0;
+  if (!name.starts_with("frame_")) return {};
+  std::from_chars(name.data() + 6, name.data() + name.size(), number);
+  if (number < 0 || name != fmt::format("frame_{:04}{}", number, extension)) return {};
+  return number;
 }
 
 }  // namespace
 
-std::vector<fs::path> frame_files(const fs::path& run_folder) {
+std::vector<FrameFile> frame_files(const fs::path& run_folder) {
   for (const char* extension : extensions) {
-    std::vector<fs::path> files;
+    std::vector<FrameFile> files;
     std::error_code ec;  // a missing folder has no files
     for (const auto& entry : fs::directory_iterator(run_folder / "data", ec))
-      if (is_frame(entry.path(), extension)) files.push_back(entry.path());
-    std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
-      const std::string p = a.filename().string(), q = b.filename().string();
-      return p.size() != q.size() ? p.size() < q.size() : p < q;  // frame_9999, frame_10000
-    });
+      if (const auto number = number_of_frame(entry.path(), extension))
+        files.push_back({entry.path(), *number});
+    std::sort(files.begin(), files.end(),
+              [](const FrameFile& a, const FrameFile& b) { return a.number < b.number; });
     if (!files.empty()) return files;
   }
   return {};

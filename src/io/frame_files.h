@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <string_view>
 #include <vector>
@@ -8,9 +9,16 @@
 
 namespace freshet {
 
-/// The data files in a run folder in the order of their frames. The format is the first that exists
-/// of HDF5, VTP, PLY and CSV. Empty if there are none.
-std::vector<std::filesystem::path> frame_files(const std::filesystem::path& run_folder);
+/// A data file: data/frame_0007.vtp has the number 7.
+struct FrameFile {
+  std::filesystem::path path;
+  std::int64_t number;
+  bool operator==(const FrameFile&) const = default;
+};
+
+/// The data files in a run folder in the order of their numbers. The format is the first that
+/// exists of HDF5, VTP, PLY and CSV. Empty if there are none.
+std::vector<FrameFile> frame_files(const std::filesystem::path& run_folder);
 
 /// Reads a frame from a data file. Missing ids count from 0; other missing fields, the time and the
 /// step are 0. Throws Error (kind scene) if the file cannot be read, is damaged or of an unknown

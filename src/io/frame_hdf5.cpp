@@ -22,6 +22,14 @@ Hdf5Float stored_as(const std::vector<float>& values, bool half) {
   return half && fits ? Hdf5Float::half : Hdf5Float::single;
 }
 
+/// Refuses NaN and infinity, as the readers of the other formats do.
+void check_finite(const std::vector<float>& values, const char* name, const std::string& place) {
+  for (const float value : values)
+    if (!(std::abs(value) <= 3e38f))  // true for NaN as well
+      throw Error(Error::Kind::scene, place,
+                  fmt::format("a number of \"{}\" is {}; the file is damaged", name, value));
+}
+
 /// Reads a field of `rows` × `columns`; zeros if the file does not have it.
 std::vector<float> field(const Hdf5Reader& file, const char* name, std::size_t rows,
                          std::size_t columns, const std::string& place) {
@@ -33,6 +41,7 @@ std::vector<float> field(const Hdf5Reader& file, const char* name, std::size_t r
                 fmt::format("\"{}\" is not {} × {} numbers, as the positions ask for; the file is "
                             "damaged",
                             name, rows, columns));
+  check_finite(values, name, place);
   return values;
 }
 
@@ -67,33 +76,44 @@ std::string encode_hdf5(const Frame& frame, const DataFields& fields) {
 
 Frame decode_hdf5(std::string_view bytes, const std::string& place) {
   const Hdf5Reader file(bytes, place);
+  const auto fail = [&](const std::string& why) { throw Error(Error::Kind::scene, place, why); };
   const std::size_t columns = file.columns("position");
   if (columns != 2 && columns != 3)
-    throw Error(
-        Error::Kind::scene, place,
-        fmt::format("\"position\" has {} columns; 2 or 3 are allowed, is it the right file?",
-                    columns));
+    fail(fmt::format("\"position\" has {} columns; 2 or 3 are allowed, is it the right file?",
+                     columns));
   Frame frame;
   frame.dimension = int(columns);
   if (file.has_attribute("/", "time")) frame.time = file.number("/", "time");
   if (file.has_attribute("/", "step")) frame.step = file.integer("/", "step");
+  if (!std::isfinite(frame.time) || frame.step < 0)
+    fail(
+        fmt::format("its time is {} and its step {}; the file is damaged", frame.time, frame.step));
+  if (file.has_attribute("/", "dimension") && file.integer("/", "dimension") != frame.dimension)
+    fail(fmt::format("its dimension is {}, and \"position\" has {} columns; the file is damaged",
+                     file.integer("/", "dimension"), columns));
   file.read("position", frame.x);
+  check_finite(frame.x, "position", place);
   const std::size_t n = frame.x.size() / columns;
   frame.v = field(file, "velocity", n, columns, place);
   frame.density = field(file, "density", n, 1, place);
   frame.pressure = field(file, "pressure", n, 1, place);
+  const auto check_list = [&](const char* name, std::size_t size) {
+    if (size != n || file.columns(name) != 1)
+      fail(fmt::format("\"{}\" is not one number for each of the {} particles; the file is damaged",
+                       name, n));
+  };
   frame.id.resize(n);
   std::iota(frame.id.begin(), frame.id.end(), std::uint64_t(0));
-  if (file.has("id")) file.read("id", frame.id);
-  if (frame.id.size() != n)
-    throw Error(
-        Error::Kind::scene, place,
-        fmt::format("there are {} ids and {} positions; the file is damaged", frame.id.size(), n));
-  if (!file.has("liquid")) return frame;
-  file.read("liquid", frame.liquid);
-  if (frame.liquid.size() != n)
-    throw Error(Error::Kind::scene, place,
-                "\"liquid\" is not one number a particle; the file is damaged");
+  if (file.has("id")) {
+    file.read("id", frame.id);
+    check_list("id", frame.id.size());
+  }
+  if (file.has("liquid")) {
+    file.read("liquid", frame.liquid);
+    check_list("liquid", frame.liquid.size());
+  }
+  if (std::any_of(frame.liquid.begin(), frame.liquid.end(), [](auto liquid) { return liquid < 0; }))
+    fail("a number of \"liquid\" is negative; the file is damaged");
   return frame;
 }
 

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <sstream>
+
+#include "core/text.h"
+#include "freshet/error.h"
 
 namespace freshet {
 namespace {
@@ -16,6 +19,84 @@ template <class Body, class F> void each_number(Body& b, F f) {
   for (auto* part : {&b.velocity, &b.angular_velocity, &b.force, &b.torque})
     for (auto& x : *part) f(x);
 }
+
+/// Reads bodies.csv line by line.
+class BodyRows {
+ public:
+  BodyRows(const Scene& scene, const std::string& file) : scene_(scene), file_(file) {}
+
+  void header(std::string_view line) {
+    columns_ = body_header(scene_);
+    columns_.pop_back();  // the line end
+    if (line != columns_)
+      fail(
+          fmt::format("the first line does not name the columns of a table of bodies, which are "
+                      "{}",
+                      columns_));
+  }
+  void row(std::string_view line) {
+    ++line_;
+    const auto given = 1 + std::count(line.begin(), line.end(), ','),
+               expected = 1 + std::count(columns_.begin(), columns_.end(), ',');
+    if (given != expected)
+      fail(fmt::format("this line has {} values, and the first line names {} columns", given,
+                       expected));
+    rest_ = line;
+    column_ = 0;
+    const double number = next("step");
+    const auto step = std::int64_t(number);
+    if (!(number >= 0 && double(step) == number)) fail("the step is not a whole number from 0");
+    next("time");
+    const std::string name = scene_.body_name(rows_.size());
+    if (take_cell() != name)
+      fail(
+          fmt::format("this row is not of the body \"{}\"; every step has a row for each body, "
+                      "in the order of the scene",
+                      name));
+    if (rows_.empty() && !steps_.empty() && step <= steps_.rbegin()->first)
+      fail(fmt::format("the step is {}, and must be greater than that before, {}", step,
+                       steps_.rbegin()->first));
+    if (!rows_.empty() && step != step_)
+      fail(
+          fmt::format("the step is {}, and the row before is of step {}, which lacks a row of the "
+                      "body \"{}\"",
+                      step, step_, name));
+    step_ = step;
+    BodyState body;
+    each_number(body, [&](double& x) { x = next("value"); });
+    rows_.push_back(body);
+    if (rows_.size() == scene_.body.size()) steps_[step_] = std::exchange(rows_, {});
+  }
+  std::map<std::int64_t, std::vector<BodyState>> take() { return std::move(steps_); }
+
+ private:
+  [[noreturn]] void fail(const std::string& why) const {
+    throw Error(Error::Kind::scene, fmt::format("{}:{}", file_, line_),
+                why + "; put the table back as the run wrote it, or run the scene again");
+  }
+  std::string_view take_cell() {
+    const auto end = std::min(rest_.find(','), rest_.size());
+    const std::string_view cell = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    ++column_;
+    return cell;
+  }
+  double next(const char* what) {
+    const auto number = number_in(take_cell());
+    if (!number || !std::isfinite(*number))
+      fail(fmt::format("the {} in column {} is not a finite number", what, column_));
+    return *number;
+  }
+
+  const Scene& scene_;
+  const std::string& file_;
+  std::string columns_;
+  std::size_t line_ = 1, column_ = 0;
+  std::string_view rest_;  // of the line
+  std::int64_t step_ = 0;
+  std::vector<BodyState> rows_;  // of the step that is being read
+  std::map<std::int64_t, std::vector<BodyState>> steps_;
+};
 
 }  // namespace
 
@@ -44,26 +125,13 @@ std::string body_lines(const Simulation& s) {
 }
 
 std::map<std::int64_t, std::vector<BodyState>> read_bodies(std::string_view table,
-                                                           const Scene& scene) {
-  std::map<std::int64_t, std::vector<BodyState>> steps;
-  std::istringstream in{std::string(table)};
-  std::string line, cell;
-  std::getline(in, line);
-  while (std::getline(in, line)) {
-    std::istringstream cells(line);
-    std::getline(cells, cell, ',');
-    auto& bodies = steps[std::strtoll(cell.c_str(), nullptr, 10)];
-    std::getline(cells, cell, ',');  // time
-    std::getline(cells, cell, ',');  // name: the order tells
-    BodyState body;
-    each_number(body, [&](double& x) {
-      std::getline(cells, cell, ',');
-      x = std::strtod(cell.c_str(), nullptr);
-    });
-    bodies.push_back(body);
-  }
-  std::erase_if(steps, [&](const auto& step) { return step.second.size() != scene.body.size(); });
-  return steps;
+                                                           const Scene& scene,
+                                                           const std::string& file) {
+  BodyRows rows(scene, file);
+  table = table.substr(0, table.rfind('\n') + 1);  // a last line without its end is not complete
+  rows.header(take_line(table));
+  while (!table.empty()) rows.row(take_line(table));
+  return rows.take();
 }
 
 }  // namespace freshet

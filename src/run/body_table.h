@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -14,8 +15,11 @@ std::string body_header(const Scene& scene);
 /// A line for each body of this moment.
 std::string body_lines(const Simulation& simulation);
 
-/// The bodies of each step that a table has, in the order of Scene::body.
+/// The bodies of each step that bodies.csv has, in the order of Scene::body. A last step without
+/// all its rows is skipped: a run that was killed leaves one. Throws Error (kind scene) at
+/// `file`:LINE for any other line that body_header and body_lines would not write.
 std::map<std::int64_t, std::vector<BodyState>> read_bodies(std::string_view table,
-                                                           const Scene& scene);
+                                                           const Scene& scene,
+                                                           const std::string& file);
 
 }  // namespace freshet

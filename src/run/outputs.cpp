@@ -145,6 +145,7 @@ class DataFiles final : public Output {
   void write(const StepTaken&) override {
     auto& times = site_.record.series[name()].times;
     times.push_back(site_.sim.time());
+    site_.tables.flush();  // bodies.csv has the bodies of a data file before the file exists
     site_.background.add([site = site_, times, frame = frame_of(site_)] {
       const Scene::Output& output = site.sim.scene().output;
       const auto k = std::int64_t(times.size()) - 1;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <iterator>
 
 #include "freshet/render.h"
 #include "freshet/simulation.h"
-#include "io/files.h"
+#include "io/folder.h"
 #include "io/frame_files.h"
 #include "io/video.h"
 #include "render/draw.h"
@@ -18,10 +19,6 @@ namespace freshet {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path picture_name(const fs::path& folder, std::size_t k) {
-  return folder / fmt::format("frame_{:04}.png", k);
-}
 
 /// The run's own scene; only what a picture shows may change.
 Scene scene_of(const RenderOptions& options) {
@@ -39,23 +36,87 @@ Scene scene_of(const RenderOptions& options) {
   return load_scene(file, options.overrides);
 }
 
-void check_output(const RenderOptions& options, const fs::path& folder, std::size_t frames) {
-  std::error_code ec;
-  fs::create_directories(folder, ec);
-  if (ec) fail_file(folder, "make this folder", ec.value());
-  for (std::size_t k = 0; k < frames && !options.overwrite; ++k)
-    if (fs::exists(picture_name(folder, k)))
-      throw Error(
-          Error::Kind::scene, folder.string(),
-          "this folder holds pictures; `overwrite` replaces them, or choose another `output`",
-          {"overwrite", "output"});
-  if (options.video) Video::check(options.video->file, options.overwrite);
+/// The pictures of a rendering: in a folder that the options name, or in RUN/pictures.
+class PictureFolder {
+ public:
+  explicit PictureFolder(const RenderOptions& options)
+      : below_(options.output.empty() ? "pictures/" : ""),
+        folder_(options.output.empty() ? options.run : made_folder(options.output)) {
+    folder_.make_folder_of(below_);
+  }
+  void check(const RenderOptions& options, const std::vector<FrameFile>& frames) const {
+    for (const FrameFile& frame : frames)
+      if (!options.overwrite && folder_.holds(name(frame)))
+        throw Error(
+            Error::Kind::scene, (folder_.path() / below_).string(),
+            "this folder holds pictures; `overwrite` replaces them, or choose another `output`",
+            {"overwrite", "output"});
+  }
+  fs::path write(const FrameFile& frame, const Image& image) const {
+    folder_.write(name(frame), encode_png(image));
+    return folder_.path() / name(frame);
+  }
+
+ private:
+  std::string name(const FrameFile& frame) const {
+    return fmt::format("{}frame_{:04}.png", below_, frame.number);
+  }
+  std::string below_;
+  Folder folder_;
+};
+
+/// A warning that names the data files that are missing between others, or nothing.
+std::vector<Diagnostic> gaps_in(const std::vector<FrameFile>& frames) {
+  std::vector<std::string> missing;
+  std::int64_t next = 0;
+  for (const FrameFile& frame : frames) {
+    if (frame.number == next + 1) missing.push_back(fmt::format("{:04}", next));
+    if (frame.number > next + 1)
+      missing.push_back(fmt::format("{:04} to {:04}", next, frame.number - 1));
+    next = frame.number + 1;
+  }
+  if (missing.empty()) return {};
+  constexpr std::size_t most = 5;
+  std::string list;
+  for (std::size_t k = 0; k < std::min(missing.size(), most); ++k)
+    list += (k == 0 ? "" : ", ") + missing[k];
+  if (missing.size() > most) list += " and more";
+  return {{Diagnostic::Severity::warning, frames.front().path.parent_path().string(),
+           fmt::format("data files are missing: {}; they get no picture, and the others keep their "
+                       "numbers; to have all, put the files back or run the scene again",
+                       list)}};
 }
 
-std::map<std::int64_t, std::vector<BodyState>> bodies_of(const fs::path& run, const Scene& scene) {
-  std::ifstream in(run / "bodies.csv", std::ios::binary);
-  return read_bodies(std::string(std::istreambuf_iterator<char>(in), {}), scene);
-}
+/// The bodies of the frames of a run, by bodies.csv.
+class FrameBodies {
+ public:
+  FrameBodies(const fs::path& run, const Scene& scene)
+      : exist_(!scene.body.empty()), table_((run / "bodies.csv").string()) {
+    if (!exist_) return;
+    std::error_code ec;
+    std::ifstream in(table_, std::ios::binary);
+    if (!in || !fs::is_regular_file(table_, ec))
+      throw Error(Error::Kind::scene, table_,
+                  "this table is missing or cannot be read, and the bodies are drawn from it; put "
+                  "it back, or run the scene again");
+    steps_ = read_bodies(std::string(std::istreambuf_iterator<char>(in), {}), scene, table_);
+  }
+  void put_into(Frame& frame, const fs::path& file) const {
+    if (!exist_) return;
+    const auto at = steps_.find(frame.step);
+    if (at == steps_.end())
+      throw Error(Error::Kind::scene, table_,
+                  fmt::format("there is no row for each body at step {}, which {} shows; put the "
+                              "table back as the run wrote it, or run the scene again",
+                              frame.step, file.string()));
+    frame.bodies = at->second;
+  }
+
+ private:
+  bool exist_;
+  std::string table_;
+  std::map<std::int64_t, std::vector<BodyState>> steps_;
+};
 
 /// A film that shows each frame until the next one's time, in pictures of one length.
 class Film {
@@ -88,31 +149,32 @@ class Film {
 RenderReport render(const RenderOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const Scene scene = scene_of(options);
-  const std::vector<fs::path> files = frame_files(options.run);
-  if (files.empty())
+  const std::vector<FrameFile> frames = frame_files(options.run);
+  if (frames.empty())
     throw Error(
         Error::Kind::scene, options.run.string(),
         "this run wrote no data to draw (its folder has no data/); run its scene again with "
         "data files switched on");
-  const fs::path folder = options.output.empty() ? options.run / "pictures" : options.output;
-  check_output(options, folder, files.size());
+  const FrameBodies bodies(options.run, scene);
+  const PictureFolder pictures(options);
+  pictures.check(options, frames);
+  if (options.video) Video::check(options.video->file, options.overwrite);
+  if (const auto gaps = gaps_in(frames); options.warn && !gaps.empty()) options.warn(gaps);
   std::optional<Film> film;
   if (options.video) film.emplace(scene, *options.video);
-  const auto bodies = bodies_of(options.run, scene);
   RenderReport report;
-  for (const fs::path& file : files) {
-    Frame frame = read_frame(file);
-    if (const auto at = bodies.find(frame.step); at != bodies.end()) frame.bodies = at->second;
+  for (const FrameFile& file : frames) {
+    Frame frame = read_frame(file.path);
     if (frame.dimension != scene.dimension())
-      throw Error(Error::Kind::run, file.string(),
+      throw Error(Error::Kind::run, file.path.string(),
                   fmt::format("this frame is in {}D and the run's scene in {}D; run it again",
                               frame.dimension, scene.dimension()));
+    bodies.put_into(frame, file.path);
     const Image image = draw(scene, frame, thread_count(options.threads));
-    report.pictures.push_back(picture_name(folder, report.pictures.size()));
-    write_file(report.pictures.back(), encode_png(image));
+    report.pictures.push_back(pictures.write(file, image));
     if (film) film->add(image, frame.time);
     report.interrupted =
-        options.after_picture && !options.after_picture(report.pictures.size(), files.size());
+        options.after_picture && !options.after_picture(report.pictures.size(), frames.size());
     if (report.interrupted) break;
   }
   if (film) film->finish();

@@ -81,6 +81,86 @@ TEST_F(Render, RejectsARunWithoutData) {
   expect_refused(render(), "no run is in this folder");
 }
 
+TEST_F(Render, GivesPicturesTheNumbersOfTheirDataFiles) {
+  write_text(run / data_file(DataFormat::vtp, 5), read_text(run / data_file(DataFormat::vtp, 1)));
+  EXPECT_EQ(render({"--output", (folder / "whole").string(), "--quiet"}).err, "");
+  fs::remove(run / data_file(DataFormat::vtp, 0));
+  fs::remove(run / data_file(DataFormat::vtp, 1));
+  const auto r = render();
+  EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_TRUE(contains(r.err, (run / "data").string() +
+                                  ": warning: data files are missing: 0000 to 0001, 0003 to 0004; "
+                                  "they get no picture"))
+      << r.err;
+  EXPECT_EQ((std::set<std::string>{"frame_0002.png", "frame_0005.png"}),
+            files_below(run / "pictures"));
+  for (const char* name : {"frame_0002.png", "frame_0005.png"})
+    EXPECT_EQ(read_text(folder / "whole" / name), read_text(run / "pictures" / name));
+}
+
+TEST_F(Render, WritesNothingThroughALinkInTheRun) {
+  fs::create_directories(folder / "outside");
+  fs::create_directory_symlink("outside", run / "pictures");
+  const auto r = render({"--overwrite"});
+  EXPECT_EQ(r.code, 1);
+  EXPECT_TRUE(contains(r.err, "a symbolic link is in the way")) << r.err;
+  EXPECT_TRUE(fs::is_empty(folder / "outside"));
+  const auto named = render({"--output", (run / "pictures").string()});  // the user's choice
+  EXPECT_EQ(named.code, 0) << named.err;
+  EXPECT_EQ(files_below(folder / "outside").size(), 3u);
+}
+
+/// A run with a body, whose table has the steps 0, 1 and 2 from line 2 on.
+class RenderBodies : public Render {
+ protected:
+  RenderBodies() {
+    write_text(run / "scene.toml",
+               read_text(run / "scene.toml") +
+                   "solver.name = \"wcsph\"\n[[body]]\nname = \"box\"\nmin = [1.4, 0.2]\n"
+                   "max = [1.7, 0.5]\nmotion = \"fixed\"\n");
+    write_text(table, header + row(0, "1.4") + row(1, "1.5") + row(2, "1.6"));
+  }
+  static std::string row(int step, const std::string& x) {
+    return std::to_string(step) + ",0," + "box," + x + ",0.35,0,0,0,0,1" + ",0,0,0,0,0,0,0,0,0" +
+           ",0,0,0\n";
+  }
+  void expect_error(const std::string& bytes, const std::string& place, const std::string& words) {
+    write_text(table, bytes);
+    const auto r = render({"--overwrite"});
+    expect_refused(r, place + ": error: " + words);
+    EXPECT_TRUE(contains(r.err, "run the scene again")) << r.err;
+  }
+  const fs::path table = run / "bodies.csv";
+  const std::string header =
+      "step,time [s],body,x [m],y [m],z [m],qx,qy,qz,qw,velocity x [m/s],velocity y [m/s],"
+      "velocity z [m/s],angular velocity x [rad/s],angular velocity y [rad/s],"
+      "angular velocity z [rad/s],force x [N/m],force y [N/m],force z [N/m],torque x [N],"
+      "torque y [N],torque z [N]\n";
+};
+
+TEST_F(RenderBodies, DrawsThemWhereTheTableHasThem) {
+  const auto r = render();
+  ASSERT_EQ(r.code, 0) << r.err;
+  const std::string first = read_text(run / "pictures/frame_0001.png");
+  write_text(table, header + row(0, "1.4") + row(1, "1.2") + row(2, "1.6"));
+  ASSERT_EQ(render({"--overwrite"}).code, 0);
+  EXPECT_NE(first, read_text(run / "pictures/frame_0001.png"));
+}
+
+TEST_F(RenderBodies, RejectsAMissingOrDamagedTable) {
+  const std::string start = header + row(0, "1.4");
+  expect_error(start + row(1, "nan") + row(2, "1.6"), table.string() + ":3",
+               "the value in column 4 is not a finite number");
+  expect_error(start + "1,0.1\n" + row(2, "1.6"), table.string() + ":3", "this line has 2 values");
+  expect_error(row(0, "1.4") + row(1, "1.5"), table.string() + ":1",
+               "the first line does not name the columns");
+  expect_error(start + row(2, "1.6"), table.string(), "there is no row for each body at step 1");
+  expect_error(start + row(1, "1.5") + row(2, "1.6").substr(0, 20), table.string(),
+               "there is no row for each body at step 2");
+  fs::remove(table);
+  expect_refused(render({"--overwrite"}), table.string() + ": error: this table is missing");
+}
+
 TEST_F(Render, VideoIsAsLongAsTheRun) {
   const std::string film = (folder / "film.mp4").string();
   if (run_process({"ffprobe", "-version"}).code != 0) GTEST_SKIP() << "ffmpeg is not installed";

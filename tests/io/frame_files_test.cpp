@@ -77,7 +77,8 @@ TEST(ReadFrame, ReportsPlaceAndRemedy) {
   EXPECT_EQ("a.csv:1: error: y is named twice; name every column once",
             refused("x,y,y\n", "a.csv"));
   EXPECT_EQ(
-      "a.csv:2: error: an id, a step or a liquid is -1, and they are whole numbers; the file is damaged",
+      "a.csv:2: error: an id, a step or a liquid is -1, and they are whole numbers; the file is "
+      "damaged",
       refused("x,y,id\n1,2,-1\n", "a.csv"));
   EXPECT_EQ("a.ply:3: error: its dimension is neither 2 nor 3; the file is damaged",
             refused("ply\nformat ascii 1.0\ncomment dimension 4\n", "a.ply"));
@@ -103,16 +104,20 @@ TEST(FrameFiles, AreOfThePreferredFormatInOrder) {
   const TemporaryFolder folder;
   EXPECT_TRUE(frame_files(folder.path()).empty());
   const auto put = [&](const std::string& name) { write_text(folder / ("data/" + name), "x"); };
+  const auto file = [&](const std::string& name, std::int64_t number) {
+    return FrameFile{folder / ("data/" + name), number};
+  };
   put("frame_0000.csv");
-  EXPECT_EQ(std::vector{folder / "data/frame_0000.csv"}, frame_files(folder.path()));
+  EXPECT_EQ(std::vector{file("frame_0000.csv", 0)}, frame_files(folder.path()));
   for (const char* name : {"frame_10000.vtp", "frame_0002.vtp", "frame_9999.vtp", "frames.pvd",
-                           "other.vtp", "frame_0001.ply"})
+                           "other.vtp", "frame_0001.ply", "frame_3.vtp", "frame_00004.vtp",
+                           "frame_old.vtp", "frame_0005 (copy).vtp", "frame_-001.vtp"})
     put(name);
-  EXPECT_EQ((std::vector{folder / "data/frame_0002.vtp", folder / "data/frame_9999.vtp",
-                         folder / "data/frame_10000.vtp"}),
+  EXPECT_EQ((std::vector{file("frame_0002.vtp", 2), file("frame_9999.vtp", 9999),
+                         file("frame_10000.vtp", 10000)}),
             frame_files(folder.path()));
   put("frame_0003.h5");
-  EXPECT_EQ(std::vector{folder / "data/frame_0003.h5"}, frame_files(folder.path()));
+  EXPECT_EQ(std::vector{file("frame_0003.h5", 3)}, frame_files(folder.path()));
 }
 
 }  // namespace

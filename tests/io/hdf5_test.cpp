@@ -166,11 +166,58 @@ TEST(Hdf5, RejectsFramesWithInconsistentFields) {
         f.write("position", std::span<const float>(six), 2);
         f.write("velocity", std::span<const float>(four), 2);
       }));
-  EXPECT_EQ("a.h5: error: there are 1 ids and 3 positions; the file is damaged",
+  const std::string not_per_particle =
+      " is not one number for each of the 3 particles; the file is damaged";
+  const std::vector<std::uint64_t> one(1), three(3);
+  for (const auto& [ids, columns] : {std::pair(one, 1), std::pair(three, 3)})
+    EXPECT_EQ("a.h5: error: \"id\"" + not_per_particle, refused([&](Hdf5Writer& f) {
+                f.write("position", std::span<const float>(six), 2);
+                f.write("id", std::span<const std::uint64_t>(ids), std::size_t(columns));
+              }));
+  EXPECT_EQ("a.h5: error: \"liquid\"" + not_per_particle, refused([&](Hdf5Writer& f) {
+              f.write("position", std::span<const float>(six), 2);
+              f.write("liquid", std::span<const std::int32_t>(std::vector<std::int32_t>(2)));
+            }));
+  EXPECT_EQ("a.h5: error: a number of \"liquid\" is negative; the file is damaged",
             refused([&](Hdf5Writer& f) {
               f.write("position", std::span<const float>(six), 2);
-              f.write("id", std::span<const std::uint64_t>(std::vector<std::uint64_t>{1}));
+              f.write("liquid", std::span<const std::int32_t>(std::vector<std::int32_t>(3, -1)));
             }));
+  EXPECT_EQ("a.h5: error: its dimension is 3, and \"position\" has 2 columns; the file is damaged",
+            refused([&](Hdf5Writer& f) {
+              f.write("position", std::span<const float>(six), 2);
+              f.attribute("/", "dimension", std::int64_t(3));
+            }));
+  EXPECT_EQ("a.h5: error: its time is inf and its step 0; the file is damaged",
+            refused([&](Hdf5Writer& f) {
+              f.write("position", std::span<const float>(six), 2);
+              f.attribute("/", "time", std::numeric_limits<double>::infinity());
+            }));
+}
+
+// As in the other formats, whose readers are tested in frame_files_test.cpp.
+TEST(Hdf5Frames, AreRejectedWithNanAndInfinity) {
+  for (const float wrong :
+       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+        -std::numeric_limits<float>::infinity()})
+    for (const bool half : {false, true})
+      for (const char* name : {"position", "velocity", "density", "pressure"}) {
+        Frame f = test::sample_frame(2, 3);
+        const std::string field = name;
+        (field == "position"   ? f.x
+         : field == "velocity" ? f.v
+         : field == "density"  ? f.density
+                               : f.pressure)[2] = wrong;
+        DataFields fields;
+        fields.half = half;
+        try {
+          frame_in(encode_hdf5(f, fields), "a.h5");
+          ADD_FAILURE() << name << " is " << wrong;
+        } catch (const Error& e) {
+          EXPECT_TRUE(std::string(e.what()).starts_with("a.h5: error: a number of \"" + field))
+              << e.what();
+        }
+      }
 }
 
 TEST(Hdf5, CanBeUsedByFourThreadsAtOnce) {
