@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -15,6 +14,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/input_file.h"
 #include "core/sha256.h"
 #include "freshet/error.h"
 #include "freshet/version.h"
@@ -237,11 +237,10 @@ RunCheckpoint decode_checkpoint(std::string_view bytes, const std::string& file)
 }
 
 RunCheckpoint read_checkpoint(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf()))
-    fail(file.string(), "cannot be read; check its permissions, or name another checkpoint");
-  return decode_checkpoint(text.view(), file.string());
+  constexpr InputFile checkpoint_file{.noun = "checkpoint",
+                                      .remedy = "use another checkpoint",
+                                      .kind = Error::Kind::run};
+  return decode_checkpoint(read_input(file, checkpoint_file), file.string());
 }
 
 std::vector<std::filesystem::path> checkpoints_of(const std::filesystem::path& folder) {

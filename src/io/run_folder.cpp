@@ -6,11 +6,10 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "commit.h"
+#include "core/input_file.h"
 #include "freshet/error.h"
 #include "freshet/version.h"
 #include "io/files.h"
@@ -31,7 +30,10 @@ struct Manifest {
 
 Manifest read_manifest(const fs::path& manifest) {
   Manifest m;
-  const Json json = Json::parse(std::ifstream(manifest), nullptr, false);
+  constexpr InputFile rules{.noun = "manifest",
+                            .remedy = "remove it by hand",
+                            .may_be_empty = true};
+  const Json json = Json::parse(read_input(manifest, rules), nullptr, false);
   const auto refuse = [&] {
     throw Error(Error::Kind::scene, manifest.string(),
                 "not a manifest of Freshet; remove the folder by hand or choose another `output`",
@@ -63,8 +65,10 @@ std::string digest_of(std::string_view bytes) {
 }
 
 std::string read_whole(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  constexpr InputFile written_file{.remedy = "move it away and resume without it",
+                                   .kind = Error::Kind::run,
+                                   .may_be_empty = true};
+  return read_input(file, written_file);
 }
 
 }  // namespace

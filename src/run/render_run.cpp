@@ -2,9 +2,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <fstream>
-#include <iterator>
 
+#include "core/input_file.h"
 #include "freshet/render.h"
 #include "freshet/simulation.h"
 #include "io/files.h"
@@ -53,8 +52,9 @@ void check_output(const RenderOptions& options, const fs::path& folder, std::siz
 }
 
 std::map<std::int64_t, std::vector<BodyState>> bodies_of(const fs::path& run, const Scene& scene) {
-  std::ifstream in(run / "bodies.csv", std::ios::binary);
-  return read_bodies(std::string(std::istreambuf_iterator<char>(in), {}), scene);
+  const fs::path file = run / "bodies.csv";
+  constexpr InputFile table{.may_be_empty = true};
+  return read_bodies(fs::exists(file) ? read_input(file, table) : "", scene);
 }
 
 /// A film that shows each frame until the next one's time, in pictures of one length.
