@@ -15,6 +15,7 @@
 #include "io/checkpoint.h"
 #include "io/frame_files.h"
 #include "io/run_folder.h"
+#include "mesh/triangle_mesh.h"
 #include "run/table.h"
 #include "scene/model/body_motion.h"
 #include "scene/sample/point_cloud.h"
@@ -98,6 +99,8 @@ TEST(ReadInput, EveryReaderRejectsAFifo) {
   };
   refused("scene.toml", [](const fs::path& file) { load_scene(file); });
   refused("points.csv", [](const fs::path& file) { read_points(file, 2); });
+  refused("mesh.ply", [](const fs::path& file) { read_mesh(file); });
+  refused("mesh.stl", [](const fs::path& file) { read_mesh(file); });
   refused("motion.csv", [](const fs::path& file) { read_body_path(file, 2); });
   refused("table.csv", [](const fs::path& file) { read_table(file); });
   refused("frame.h5", [](const fs::path& file) { read_frame(file); });
