@@ -12,8 +12,8 @@ namespace freshet {
 
 /// The messages about an input file, and its limits.
 struct InputFile {
-  const char* noun = "file";                           ///< "no such NOUN; check the path"
-  const char* remedy = "name a file that can be read"; ///< "this is a folder; REMEDY"
+  const char* noun = "file";                            ///< "no such NOUN; check the path"
+  const char* remedy = "name a file that can be read";  ///< "this is a folder; REMEDY"
   Error::Kind kind = Error::Kind::scene;
   bool may_be_empty = false;
   std::uintmax_t largest = std::numeric_limits<std::uintmax_t>::max();  ///< [bytes]

@@ -123,9 +123,8 @@ void PlyRows::begin(const PlyElement& element) {
   if (ascii) least = std::max<std::size_t>(least, 1);
   if (least > 0 && element.count > (bytes_.size() + ascii) / least) {
     place_.line = 0;
-    place_.fail(
-        fmt::format("the header tells of {} {}, and the file ends before; it is cut off",
-                    element.count, rows_word(element)));
+    place_.fail(fmt::format("the header tells of {} {}, and the file ends before; it is cut off",
+                            element.count, rows_word(element)));
   }
   values_.values.assign(element.properties.size(), 0);
   values_.lists.assign(element.properties.size(), {});

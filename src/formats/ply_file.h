@@ -20,7 +20,7 @@ struct PlyType {
 
 struct PlyProperty {
   std::string name;
-  PlyType type;         ///< of the value, or of the entries of a list
+  PlyType type;  ///< of the value, or of the entries of a list
   bool is_list = false;
   PlyType length = {};  ///< of the length before a list
 };

@@ -9,7 +9,7 @@
 
 namespace freshet {
 
-inline constexpr double farthest_corner = 1e15;      ///< maximum coordinate
+inline constexpr double farthest_corner = 1e15;     ///< maximum coordinate
 inline constexpr std::size_t most_corners = 10000;  ///< of a polygon
 
 /// Reads the vertices and faces of a PLY file: ascii, or binary of either byte order. Polygons are

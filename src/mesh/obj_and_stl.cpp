@@ -18,9 +18,10 @@ namespace {
 double coordinate(std::string_view word, const FilePlace& place) {
   const auto value = number_in(word);
   if (!value || !(std::abs(*value) <= farthest_corner))
-    place.fail(fmt::format("a vertex has the coordinate \"{}\"; coordinates are finite numbers, at "
-                           "most {:g}, export the mesh again",
-                           word.substr(0, 40), farthest_corner));
+    place.fail(
+        fmt::format("a vertex has the coordinate \"{}\"; coordinates are finite numbers, at "
+                    "most {:g}, export the mesh again",
+                    word.substr(0, 40), farthest_corner));
   return *value;
 }
 
@@ -68,8 +69,7 @@ class PlainObj {
       if (count < 4) words[count] = word;
       if (count < 3) coordinate(word, place_);
     }
-    if (count < 3)
-      place_.fail("a vertex has fewer than 3 coordinates; export the mesh again");
+    if (count < 3) place_.fail("a vertex has fewer than 3 coordinates; export the mesh again");
     if (count == 4 && coordinate(words[3], place_) == 0)
       place_.fail("a vertex has the weight 0, which is at infinity; export the mesh again");
     fmt::format_to(std::back_inserter(out_), "v {} {} {}{}{}\n", words[0], words[1], words[2],
@@ -83,8 +83,8 @@ class PlainObj {
     std::size_t corners = 0;
     for (std::string_view word; !(word = take_word(line)).empty(); ++corners) {
       if (corners == most_corners)
-        place_.fail(fmt::format("a face has more than {} corners; split it into triangles",
-                                most_corners));
+        place_.fail(
+            fmt::format("a face has more than {} corners; split it into triangles", most_corners));
       fmt::format_to(std::back_inserter(out_), " {}", corner(word));
     }
     if (corners < 3)
@@ -110,9 +110,10 @@ class PlainObj {
     return index;
   }
   [[noreturn]] void fail_for_corner(std::int64_t index) const {
-    place_.fail(fmt::format("a face has the vertex {}, and there are {} vertices, from 1 on; export "
-                            "the mesh again",
-                            index, vertices_));
+    place_.fail(
+        fmt::format("a face has the vertex {}, and there are {} vertices, from 1 on; export "
+                    "the mesh again",
+                    index, vertices_));
   }
 
   std::string_view bytes_;
@@ -131,9 +132,10 @@ void check_ascii_stl(std::string_view bytes, const FilePlace& place) {
   bool ended = false;
   const auto check_facet = [&] {
     if (vertices != 3 * facets)
-      place.fail(fmt::format("facet {} has not 3 vertices; it is cut off or damaged, export the "
-                             "mesh again",
-                             facets == 0 ? 0 : facets - 1));
+      place.fail(
+          fmt::format("facet {} has not 3 vertices; it is cut off or damaged, export the "
+                      "mesh again",
+                      facets == 0 ? 0 : facets - 1));
   };
   for (std::string_view word; !(word = take_word(bytes, spaces)).empty();) {
     if (word == "solid" || word == "endsolid") {
@@ -169,12 +171,14 @@ void check_stl(std::string_view bytes, FilePlace& place) {
   if (bytes.size() == whole) return;
   if (ascii) return check_ascii_stl(bytes, place);
   if (bytes.size() < first)
-    place.fail(fmt::format("cannot be read as a mesh: it does not begin with \"solid\", and {} "
-                           "bytes are too few for binary STL; export the mesh again",
-                           bytes.size()));
-  place.fail(fmt::format("cannot be read as a mesh: binary STL with {} triangles has {} bytes, and "
-                         "this file has {}; it is cut off or damaged",
-                         facets, whole, bytes.size()));
+    place.fail(
+        fmt::format("cannot be read as a mesh: it does not begin with \"solid\", and {} "
+                    "bytes are too few for binary STL; export the mesh again",
+                    bytes.size()));
+  place.fail(
+      fmt::format("cannot be read as a mesh: binary STL with {} triangles has {} bytes, and "
+                  "this file has {}; it is cut off or damaged",
+                  facets, whole, bytes.size()));
 }
 
 }  // namespace freshet

@@ -43,9 +43,8 @@ void append(const aiMesh& part, TriangleMesh& mesh, const FilePlace& place) {
 /// Reads bytes that have been checked. `format` is "obj" or "stl". Assimp opens no file.
 TriangleMesh read_by_assimp(std::string_view bytes, const char* format, const FilePlace& place) {
   Assimp::Importer importer;
-  const aiScene* scene =
-      importer.ReadFileFromMemory(bytes.data(), bytes.size(),
-                                  aiProcess_Triangulate | aiProcess_PreTransformVertices, format);
+  const aiScene* scene = importer.ReadFileFromMemory(
+      bytes.data(), bytes.size(), aiProcess_Triangulate | aiProcess_PreTransformVertices, format);
   if (!scene)
     place.fail("cannot be read as a mesh (" + std::string(importer.GetErrorString()) +
                "); is it whole?");
@@ -91,8 +90,7 @@ TriangleMesh mesh_in(std::string_view bytes, const std::filesystem::path& file) 
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& file) {
-  constexpr InputFile mesh_file{.noun = "mesh file",
-                                .remedy = "name a *.stl, *.obj or *.ply file"};
+  constexpr InputFile mesh_file{.noun = "mesh file", .remedy = "name a *.stl, *.obj or *.ply file"};
   return mesh_in(read_input(file, mesh_file), file);
 }
 

@@ -69,9 +69,10 @@ class PlyMeshReader {
     const TriangleMesh::Point x{row.values[axis_[0]], row.values[axis_[1]], row.values[axis_[2]]};
     for (const std::size_t axis : axis_)
       if (!(std::abs(row.values[axis]) <= farthest_corner))  // true for NaN as well
-        fail(fmt::format("vertex {} has the coordinate {}; coordinates are finite, at most {:g}, "
-                         "export the mesh again",
-                         k, row.values[axis], farthest_corner));
+        fail(
+            fmt::format("vertex {} has the coordinate {}; coordinates are finite, at most {:g}, "
+                        "export the mesh again",
+                        k, row.values[axis], farthest_corner));
     mesh_.points.push_back(x);
   }
 
@@ -82,9 +83,10 @@ class PlyMeshReader {
                        corners.size()));
     for (const double corner : corners)
       if (!(corner >= 0 && corner < double(vertices_) && corner == std::floor(corner)))
-        fail(fmt::format("face {} has the vertex {}, and there are {} vertices, from 0 on; export "
-                         "the mesh again",
-                         k, corner, vertices_));
+        fail(
+            fmt::format("face {} has the vertex {}, and there are {} vertices, from 0 on; export "
+                        "the mesh again",
+                        k, corner, vertices_));
     if (mesh_.triangles.size() + corners.size() > most_ply_items)
       fail(fmt::format("more than {} triangles; use a coarser mesh", most_ply_items));
     for (std::size_t c = 2; c < corners.size(); ++c)

@@ -55,11 +55,10 @@ class ReadMesh : public ::testing::Test {
            std::to_string(faces) + "\nproperty list " + list + " vertex_indices\nend_header\n";
   }
   /// A box of twelve triangles. `last` is the last corner of its last face.
-  template <class Index>
-  static std::string binary_box(const char* type, bool big, Index last = 5) {
+  template <class Index> static std::string binary_box(const char* type, bool big, Index last = 5) {
     const TriangleMesh box = box_mesh({0, 0, 0}, {0.5, 1, 2});
-    std::string bytes = head(big ? "binary_big_endian" : "binary_little_endian", 12,
-                             std::string("uchar ") + type);
+    std::string bytes =
+        head(big ? "binary_big_endian" : "binary_little_endian", 12, std::string("uchar ") + type);
     for (const Point& p : box.points)
       bytes += number(float(p.x), big) + number(float(p.y), big) + number(float(p.z), big);
     for (const auto& t : box.triangles) {
@@ -117,8 +116,7 @@ TEST_F(ReadMesh, SplitsPolygonsOfPlyAndSkipsWhatIsNoMesh) {
       "7 5 1 2 3 4 5 2 0.5 0.5\n1\n",
       "a.ply");
   ASSERT_EQ(5u, mesh.points.size()) << "the first vertex has no face";
-  EXPECT_EQ((std::vector<TriangleMesh::Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}),
-            mesh.triangles);
+  EXPECT_EQ((std::vector<TriangleMesh::Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}), mesh.triangles);
   EXPECT_EQ(2, mesh.points[2].x);
   EXPECT_EQ(1, mesh.points[2].y);
   EXPECT_EQ(3, mesh.points[2].z);
@@ -174,7 +172,8 @@ TEST_F(ReadMesh, RejectsPlyThatIsNoMesh) {
   EXPECT_TRUE(contains(refused("a.ply", with(box, "float z", "float w")), "vertices have no z"));
   EXPECT_TRUE(contains(refused("a.ply", with(box, "vertex_indices", "other")), "vertex_indices"));
   EXPECT_TRUE(contains(refused("a.ply", with(box, "face 12", "face 999999999")), "cut off"));
-  EXPECT_TRUE(contains(refused("a.ply", with(box, "element face", "element vertex")), "\"vertex\" twice"));
+  EXPECT_TRUE(
+      contains(refused("a.ply", with(box, "element face", "element vertex")), "\"vertex\" twice"));
   EXPECT_TRUE(contains(refused("a.ply", with(box, "uchar int", "float int")), "unknown type"));
   EXPECT_TRUE(contains(refused("a.ply", with(box, "uchar int", "uchar word")), "unknown type"));
   EXPECT_TRUE(contains(  // binary rows without bytes, as many as a counter holds
@@ -185,11 +184,10 @@ TEST_F(ReadMesh, RejectsPlyThatIsNoMesh) {
 }
 
 TEST_F(ReadMesh, WritesObjWithoutEverythingButVerticesAndFaces) {
-  EXPECT_EQ(
-      "v 0 0 0\nv 1 0 0 2\nv 1.5e0 1 0\nf 1 2 3\nf 1 2 3\nf 3 2 1\n",
-      obj_refused("# made by hand\nmtllib /dev/zero\r\no box\nv 0 0 0\nv 1 0 0 2\r\nvt 0 0\n"
-                  "v 1.5e0 1 0 1 0 0\nvn 0 0 1\nusemtl red\ng a\ns off\nf 1/1/1 2//1 3/1\n"
-                  "f -3 \\\n-2 \\\r\n-1\nl 1 2\np 1\nf 3 2 1"));
+  EXPECT_EQ("v 0 0 0\nv 1 0 0 2\nv 1.5e0 1 0\nf 1 2 3\nf 1 2 3\nf 3 2 1\n",
+            obj_refused("# made by hand\nmtllib /dev/zero\r\no box\nv 0 0 0\nv 1 0 0 2\r\nvt 0 0\n"
+                        "v 1.5e0 1 0 1 0 0\nvn 0 0 1\nusemtl red\ng a\ns off\nf 1/1/1 2//1 3/1\n"
+                        "f -3 \\\n-2 \\\r\n-1\nl 1 2\np 1\nf 3 2 1"));
 }
 
 TEST_F(ReadMesh, RejectsObjThatIsWrong) {
