@@ -14,10 +14,12 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/check_checkpoint.h"
 #include "core/input_file.h"
 #include "core/sha256.h"
 #include "freshet/error.h"
 #include "freshet/version.h"
+#include "io/check_record.h"
 #include "io/hdf5.h"
 
 namespace freshet {
@@ -228,12 +230,22 @@ RunCheckpoint decode_checkpoint(std::string_view bytes, const std::string& file)
   if (bytes.substr(0, block) != header(h->format, h->version, bytes.size(), h->digest) ||
       h->digest != digest_of(header(h->format, h->version, h->bytes, no_digest), body))
     fail(file, "this checkpoint is damaged: its bytes are not those that its SHA-256 was made of");
+  // not a damaged file, as the digest is correct: another program wrote it
+  RunCheckpoint c;
   try {
-    return read_body(body, file);
-  } catch (const std::exception& e) {  // not a damaged file: the digest is correct
-    fail(file,
-         std::string("this checkpoint has another content than its format asks for: ") + e.what());
+    c = read_body(body, file);
+  } catch (const Error& e) {
+    fail(file, fmt::format("this checkpoint is invalid: {}", e.diagnostics().front().message));
+  } catch (const std::exception& e) {
+    fail(file, fmt::format("this checkpoint is invalid: {}; use another checkpoint", e.what()));
   }
+  try {
+    check_checkpoint(c);
+    check_record(c.run);
+  } catch (const Error& e) {
+    fail(file, e.diagnostics().front().message);
+  }
+  return c;
 }
 
 RunCheckpoint read_checkpoint(const std::filesystem::path& file) {

@@ -53,7 +53,7 @@ struct RunCheckpoint : Checkpoint {
 std::string encode_checkpoint(const RunCheckpoint& checkpoint);
 
 /// Decodes a checkpoint file. Throws Error (kind run) at `file` if the bytes are not a checkpoint,
-/// incomplete, damaged, or of another format version.
+/// incomplete, damaged, of another format version, or hold invalid numbers.
 RunCheckpoint decode_checkpoint(std::string_view bytes, const std::string& file);
 RunCheckpoint read_checkpoint(const std::filesystem::path& file);
 /// The checkpoints in a run folder, newest first.

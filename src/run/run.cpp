@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <chrono>
 
+#include "io/video.h"
 #include "run/observer.h"
+#include "run/record_of_scene.h"
 #include "scene/keys/keys.h"
 
 namespace freshet {
@@ -128,6 +130,7 @@ Report resume(const ResumeOptions& options) {
       parse_scene(checkpoint.scene, (options.folder / "scene.toml").string(), options.overrides);
   Simulation sim(scene, options.execution);
   sim.restore(checkpoint);
+  check_record_of_scene(checkpoint.run, scene);
   if (sim.finished() && fs::exists(options.folder / "report.json"))
     throw Error(
         Error::Kind::scene, options.folder.string(),
