@@ -71,10 +71,13 @@ double binary_number(const char* at, PlyType type, bool big) {
   return has_sign ? as<std::int32_t>(bytes) : as<std::uint32_t>(bytes);
 }
 
+/// The beginning of a name, for messages: a damaged file may have any.
+std::string_view shown(const std::string& name) { return std::string_view(name).substr(0, 40); }
+
 std::string rows_word(const PlyElement& element) {
   return element.name == "vertex" ? "vertices"
          : element.name == "face" ? "faces"
-                                  : fmt::format("elements \"{}\"", element.name);
+                                  : fmt::format("elements \"{}\"", shown(element.name));
 }
 
 }  // namespace
@@ -116,7 +119,7 @@ void PlyRows::begin(const PlyElement& element) {
   for (const PlyProperty& p : element.properties) {
     if (p.type.bytes == 0 || (p.is_list && (p.length.bytes == 0 || p.length.kind == 'f')))
       place_.fail(fmt::format("the property \"{}\" of \"{}\" has an unknown type; save it without",
-                              p.name, element.name));
+                              shown(p.name), shown(element.name)));
     // an ascii number takes at least two characters; the last separator may be missing
     least += ascii ? 2 : p.is_list ? p.length.bytes : p.type.bytes;
   }
@@ -139,11 +142,11 @@ void PlyRows::next(const PlyElement& element) {
 /// The length of a list, if there is room for so many entries.
 std::size_t PlyRows::length(const PlyElement& element, double entries, std::size_t room) const {
   if (!(entries >= 0 && entries == std::floor(entries)))
-    place_.fail(fmt::format("{} {} has a list of {} entries; the file is damaged", element.name,
-                            row_, entries));
+    place_.fail(fmt::format("{} {} has a list of {} entries; the file is damaged",
+                            shown(element.name), row_, entries));
   if (entries > double(room))
     place_.fail(fmt::format("{} {} has a list of {} entries, and {} ends before; it is cut off",
-                            element.name, row_, entries,
+                            shown(element.name), row_, entries,
                             format_ == PlyFormat::ascii ? "its line" : "the file"));
   return std::size_t(entries);
 }

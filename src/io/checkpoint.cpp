@@ -207,10 +207,13 @@ std::string encode_checkpoint(const RunCheckpoint& c) {
   file.write_text("scene.toml", c.scene);
   file.write_text("run.json", json_of(c).dump(2));
   for (const Checkpoint::Array& a : c.arrays) write_array(file, a);
-  const std::string body = file.bytes();
+  return sealed_checkpoint(file.bytes());
+}
+
+std::string sealed_checkpoint(std::string_view body) {
   const std::size_t size = block + body.size();
   const std::string digest = digest_of(header(format, FRESHET_VERSION, size, no_digest), body);
-  return header(format, FRESHET_VERSION, size, digest) + body;
+  return header(format, FRESHET_VERSION, size, digest).append(body);
 }
 
 RunCheckpoint decode_checkpoint(std::string_view bytes, const std::string& file) {

@@ -46,8 +46,8 @@ TriangleMesh read_by_assimp(std::string_view bytes, const char* format, const Fi
   const aiScene* scene = importer.ReadFileFromMemory(
       bytes.data(), bytes.size(), aiProcess_Triangulate | aiProcess_PreTransformVertices, format);
   if (!scene)
-    place.fail("cannot be read as a mesh (" + std::string(importer.GetErrorString()) +
-               "); is it whole?");
+    place.fail("cannot be read as a mesh (" +
+               std::string(importer.GetErrorString()).substr(0, 200) + "); is it whole?");
   TriangleMesh mesh;
   for (unsigned k = 0; k < scene->mNumMeshes; ++k) append(*scene->mMeshes[k], mesh, place);
   return mesh;

@@ -40,7 +40,8 @@ max = [0.5, 0.5]
 center = [0.3, 0.25]
 direction = [1, 0]
 [solver]
-name = "pcisph"
+name = "wcsph"
+sound_speed = 30
 [time]
 end = 0.5
 step = 0.001
