@@ -20,7 +20,8 @@ class InvalidCheckpoint : public ::testing::Test {
  protected:
   using Change = std::function<void(RunCheckpoint&)>;
 
-  static RunCheckpoint valid() {
+  /// A checkpoint with an entry in every list.
+  static RunCheckpoint made() {
     Simulation sim = simulation_of(R"([domain]
 max = [1.0, 1.0]
 [particles]
@@ -46,7 +47,8 @@ step = 0.001
     return c;
   }
   static std::string refused(const Change& change) {
-    RunCheckpoint c = valid();
+    static const RunCheckpoint valid = made();
+    RunCheckpoint c = valid;
     change(c);
     try {
       decode_checkpoint(encode_checkpoint(c), "step.h5");
