@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/input_file.h"
 #include "freshet/error.h"
 #include "scene/keys/keys.h"
 #include "validate/validate.h"
@@ -14,6 +15,8 @@ namespace freshet {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr InputFile case_file{.noun = "validation case", .remedy = "name a folder with case.toml"};
 
 /// Reads a table of case.toml; what it was not asked for is an error at the end.
 class CaseReader {
@@ -185,7 +188,7 @@ ValidationCase read_validation_case(const fs::path& folder) {
   const fs::path file = folder / "case.toml";
   toml::table root;
   try {
-    root = toml::parse_file(file.string());
+    root = toml::parse(read_input(file, case_file), file.string());
   } catch (const toml::parse_error& e) {
     const auto at = e.source().begin;
     throw Error(

@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <thread>
 
+#include "core/input_file.h"
 #include "core/text.h"
 #include "freshet/run.h"
 #include "scene/model/inputs.h"
@@ -40,9 +39,10 @@ std::string in_metres(const std::string& value, double spacing) {
   return count ? fmt::format("{}", *count * spacing) : value;
 }
 
+/// The bytes of a file; none if it is missing.
 std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  constexpr InputFile any{.may_be_empty = true};
+  return fs::exists(file) ? read_input(file, any) : "";
 }
 
 bool is_one_of(const std::vector<std::string>& all, const std::string& name) {

@@ -12,9 +12,9 @@ namespace freshet {
 void save_checkpoint(const Simulation& simulation, const std::filesystem::path& file);
 
 /// Restores a checkpoint file into a simulation of the same scene, to the same bits.
-/// Throws Error (kind run) if the file is not a checkpoint, incomplete, damaged or of another
-/// format version. Throws Error (kind scene) if it is of another scene. The simulation is unchanged
-/// after an exception.
+/// Throws Error (kind run) if the file is not a checkpoint, incomplete, damaged, invalid or of
+/// another format version. Throws Error (kind scene) if it is of another scene. The simulation is
+/// unchanged after an exception.
 void restore_checkpoint(Simulation& simulation, const std::filesystem::path& file);
 
 /// The approximate size of a checkpoint file of this simulation [bytes].

@@ -123,7 +123,8 @@ class Simulation {
   /// outside the domain.
   Checkpoint checkpoint() const;
   /// Resumes from a checkpoint, to the same bits as the run that wrote it. Throws Error (kind
-  /// scene) if the checkpoint is of another scene; the simulation is then unchanged.
+  /// scene) if the checkpoint is of another scene, and Error (kind run) if a number in it is
+  /// invalid; the simulation is then unchanged.
   void restore(const Checkpoint& checkpoint);
 
   /// SHA-256 over steps_done (u64), then id (u64), x and v of each particle in id order,

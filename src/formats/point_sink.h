@@ -11,14 +11,15 @@
 #include <vector>
 
 #include "core/text.h"
+#include "formats/file_place.h"
 
 namespace freshet {
 
 /// Receives the contents of a point file: first the names of its columns, then a row for each
 /// point.
-class PointSink {
+class PointSink : public FilePlace {
  public:
-  explicit PointSink(std::string file) : file_(std::move(file)) {}
+  using FilePlace::FilePlace;
   virtual ~PointSink() = default;
 
   /// Receives the name of the column with the index `place`.
@@ -31,14 +32,6 @@ class PointSink {
   virtual void add(const std::vector<double>& values) = 0;
   /// Receives a number of the whole file: "time", "step" or "dimension".
   virtual void note(std::string_view, double) {}
-
-  /// Throws Error (kind scene) at FILE, or FILE:LINE.
-  [[noreturn]] void fail(const std::string& why) const;
-
-  std::size_t line = 0;  ///< current line of the parser; 0: none
-
- private:
-  std::string file_;
 };
 
 /// Reads the vertices of a PLY file [Turk 1994]: ascii, or binary of either byte order. Comments of

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -15,9 +14,12 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/check_checkpoint.h"
+#include "core/input_file.h"
 #include "core/sha256.h"
 #include "freshet/error.h"
 #include "freshet/version.h"
+#include "io/check_record.h"
 #include "io/hdf5.h"
 
 namespace freshet {
@@ -205,10 +207,13 @@ std::string encode_checkpoint(const RunCheckpoint& c) {
   file.write_text("scene.toml", c.scene);
   file.write_text("run.json", json_of(c).dump(2));
   for (const Checkpoint::Array& a : c.arrays) write_array(file, a);
-  const std::string body = file.bytes();
+  return sealed_checkpoint(file.bytes());
+}
+
+std::string sealed_checkpoint(std::string_view body) {
   const std::size_t size = block + body.size();
   const std::string digest = digest_of(header(format, FRESHET_VERSION, size, no_digest), body);
-  return header(format, FRESHET_VERSION, size, digest) + body;
+  return header(format, FRESHET_VERSION, size, digest).append(body);
 }
 
 RunCheckpoint decode_checkpoint(std::string_view bytes, const std::string& file) {
@@ -228,20 +233,29 @@ RunCheckpoint decode_checkpoint(std::string_view bytes, const std::string& file)
   if (bytes.substr(0, block) != header(h->format, h->version, bytes.size(), h->digest) ||
       h->digest != digest_of(header(h->format, h->version, h->bytes, no_digest), body))
     fail(file, "this checkpoint is damaged: its bytes are not those that its SHA-256 was made of");
+  // not a damaged file, as the digest is correct: another program wrote it
+  RunCheckpoint c;
   try {
-    return read_body(body, file);
-  } catch (const std::exception& e) {  // not a damaged file: the digest is correct
-    fail(file,
-         std::string("this checkpoint has another content than its format asks for: ") + e.what());
+    c = read_body(body, file);
+  } catch (const Error& e) {
+    fail(file, fmt::format("this checkpoint is invalid: {}", e.diagnostics().front().message));
+  } catch (const std::exception& e) {
+    fail(file, fmt::format("this checkpoint is invalid: {}; use another checkpoint", e.what()));
   }
+  try {
+    check_checkpoint(c);
+    check_record(c.run);
+  } catch (const Error& e) {
+    fail(file, e.diagnostics().front().message);
+  }
+  return c;
 }
 
 RunCheckpoint read_checkpoint(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf()))
-    fail(file.string(), "cannot be read; check its permissions, or name another checkpoint");
-  return decode_checkpoint(text.view(), file.string());
+  constexpr InputFile checkpoint_file{.noun = "checkpoint",
+                                      .remedy = "use another checkpoint",
+                                      .kind = Error::Kind::run};
+  return decode_checkpoint(read_input(file, checkpoint_file), file.string());
 }
 
 std::set<std::string> checkpoint_names(const std::filesystem::path& folder) {

@@ -53,8 +53,11 @@ struct RunCheckpoint : Checkpoint {
 /// size and the SHA-256 of the whole file, then HDF5. Tools such as h5dump skip that block.
 std::string encode_checkpoint(const RunCheckpoint& checkpoint);
 
+/// Puts that block before HDF5 data.
+std::string sealed_checkpoint(std::string_view hdf5);
+
 /// Decodes a checkpoint file. Throws Error (kind run) at `file` if the bytes are not a checkpoint,
-/// incomplete, damaged, or of another format version.
+/// incomplete, damaged, of another format version, or hold invalid numbers.
 RunCheckpoint decode_checkpoint(std::string_view bytes, const std::string& file);
 RunCheckpoint read_checkpoint(const std::filesystem::path& file);
 inline constexpr const char* checkpoint_folder = "checkpoints";  // in a run folder

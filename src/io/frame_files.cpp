@@ -5,10 +5,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <optional>
-#include <sstream>
 
+#include "core/input_file.h"
 #include "formats/point_sink.h"
 #include "freshet/error.h"
 #include "io/frame_hdf5.h"
@@ -133,13 +132,8 @@ Frame frame_in(std::string_view bytes, const fs::path& file) {
 }
 
 Frame read_frame(const fs::path& file) {
-  std::error_code ec;
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  if (!in || !fs::is_regular_file(file, ec) || !(bytes << in.rdbuf()))
-    throw Error(Error::Kind::scene, file.string(),
-                "cannot be read; is it there, not empty, and yours to read?");
-  return frame_in(std::move(bytes).str(), file);
+  constexpr InputFile data_file{.noun = "data file", .remedy = "name a data file of a run"};
+  return frame_in(read_input(file, data_file), file);
 }
 
 }  // namespace freshet

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "freshet/error.h"
 
 namespace freshet {
@@ -10,6 +12,7 @@ namespace {
 
 constexpr std::size_t increment = 1 << 16;    // by which a file in memory grows [bytes]
 constexpr const char* in_memory = "freshet";  // name of a file that exists in memory only
+constexpr std::size_t most_deflated = 1032;   // maximum expansion of a byte by deflate
 
 std::recursive_mutex& library() {
   static std::recursive_mutex mutex;
@@ -151,7 +154,9 @@ std::string Hdf5Writer::bytes() {
 }
 
 Hdf5Reader::Hdf5Reader(std::string_view bytes, std::string place)
-    : place_(std::move(place)), file_(open_file(bytes), H5Fclose), size_(bytes.size()) {
+    : place_(std::move(place)),
+      file_(open_file(bytes), H5Fclose),
+      room_(bytes.size() * most_deflated) {
   if (!file_.good()) fail("not a whole HDF5 file; is it cut off, or of another kind?");
 }
 
@@ -184,25 +189,89 @@ bool holds_numbers(hid_t data) {
 
 }  // namespace
 
+/// Fails if a part of the path is a link to a name, which may be in another file.
+void Hdf5Reader::check_links(const std::string& name) const {
+  for (std::size_t end = 0; end != std::string::npos;) {
+    end = name.find('/', end + 1);
+    const std::string part = name.substr(0, end);
+    H5L_info_t link;
+    if (part.empty() || part == "/") continue;
+    if (H5Lget_info(file_.get(), part.c_str(), &link, H5P_DEFAULT) < 0) return;  // it is missing
+    if (link.type != H5L_TYPE_HARD)
+      fail(fmt::format("\"{}\" is a link to another name or file; copy the data into this file",
+                       part));
+  }
+}
+
+/// Fails if the data are in another file, or need a filter that does more than deflate.
+void Hdf5Reader::check_storage(const std::string& name, hid_t data) const {
+  const Hdf5Handle creation(H5Dget_create_plist(data), H5Pclose);
+  const H5D_layout_t layout = creation.good() ? H5Pget_layout(creation.get()) : H5D_LAYOUT_ERROR;
+  if (layout == H5D_LAYOUT_ERROR || layout == H5D_VIRTUAL ||
+      (layout == H5D_CONTIGUOUS && H5Pget_external_count(creation.get()) != 0))
+    fail(fmt::format("the data of \"{}\" are in another file; copy them into this file", name));
+  int deflated = 0;
+  for (int k = 0; k < H5Pget_nfilters(creation.get()); ++k) {
+    unsigned flags = 0, settings = 0;
+    std::size_t values = 0;
+    const H5Z_filter_t filter = H5Pget_filter2(creation.get(), unsigned(k), &flags, &values,
+                                               nullptr, 0, nullptr, &settings);
+    deflated += filter == H5Z_FILTER_DEFLATE;
+    const bool known = filter == H5Z_FILTER_DEFLATE || filter == H5Z_FILTER_SHUFFLE ||
+                       filter == H5Z_FILTER_FLETCHER32;
+    if (!known || deflated > 1)
+      fail(
+          fmt::format("\"{}\" is compressed in an unknown way; save it with gzip, or without "
+                      "compression",
+                      name));
+  }
+  if (layout != H5D_CHUNKED) return;
+  hsize_t extents[2] = {1, 1};  // the library has memory for a whole chunk
+  const Hdf5Handle type(H5Dget_type(data), H5Tclose);
+  const int rank = H5Pget_chunk(creation.get(), 2, extents);
+  const std::size_t bytes = type.good() ? H5Tget_size(type.get()) : 0;
+  if (rank < 1 || rank > 2 || bytes == 0 ||
+      extents[0] > room_ / bytes / std::max<hsize_t>(1, extents[1]))
+    fail(fmt::format("\"{}\" is larger than the file; it is damaged", name));
+}
+
+/// Counts data that are about to be read, and fails if they are too large to be in the file.
+void Hdf5Reader::take_room(const std::string& name, std::size_t count, std::size_t bytes) const {
+  if (bytes == 0 || count > room_ / bytes)
+    fail(fmt::format("\"{}\" is larger than the file; it is damaged", name));
+  room_ -= count * bytes;
+}
+
+/// Opens data and checks where they are; `kind` is for the message.
+Hdf5Handle Hdf5Reader::open_data(const std::string& name, const char* kind) const {
+  check_links(name);
+  Hdf5Handle data(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!data.good())
+    fail(fmt::format("there is no {} \"{}\" in it; is it the right file?", kind, name));
+  check_storage(name, data.get());
+  return data;
+}
+
 std::size_t Hdf5Reader::columns(const std::string& name) const {
-  const Hdf5Handle data(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
-  const auto extents = data.good() ? extents_of(data.get()) : std::vector<hsize_t>();
+  constexpr const char* kind = "list or table";
+  const auto extents = extents_of(open_data(name, kind).get());
   if (extents.empty())
-    fail(fmt::format("there is no list or table \"{}\" in it; is it the right file?", name));
+    fail(fmt::format("there is no {} \"{}\" in it; is it the right file?", kind, name));
   return extents.size() == 2 ? extents[1] : 1;
 }
 
 template <class T>
 void Hdf5Reader::read_as(const std::string& name, hid_t memory, std::vector<T>& v) const {
   const std::size_t per = columns(name);
-  const Hdf5Handle data(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Hdf5Handle data = open_data(name, "list or table");
   if (!holds_numbers(data.get()))
     fail(fmt::format("\"{}\" does not hold numbers; is it the right file?", name));
   const std::size_t rows = extents_of(data.get())[0];
-  // compressed data may be larger than the file, by at most the expansion of deflate
-  constexpr std::size_t most_deflated = 1032;
-  if (per > 0 && rows > size_ * most_deflated / per)
+  const Hdf5Handle type(H5Dget_type(data.get()), H5Tclose);
+  const std::size_t bytes = std::max(sizeof(T), H5Tget_size(type.get()));
+  if (per > 0 && rows > room_ / per)
     fail(fmt::format("\"{}\" is larger than the file; it is damaged", name));
+  take_room(name, rows * per, bytes);
   v.resize(rows * per);
   if (v.empty()) return;
   if (H5Dread(data.get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, v.data()) < 0)
@@ -226,11 +295,14 @@ void Hdf5Reader::read(const std::string& name, std::vector<std::uint64_t>& v) co
 }
 
 std::string Hdf5Reader::read_text(const std::string& name) const {
-  const Hdf5Handle data(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
-  const Hdf5Handle type(data.good() ? H5Dget_type(data.get()) : -1, H5Tclose);
+  const Hdf5Handle data = open_data(name, "text");
+  const Hdf5Handle type(H5Dget_type(data.get()), H5Tclose);
+  const Hdf5Handle space(H5Dget_space(data.get()), H5Sclose);
   const bool is_text = type.good() && H5Tget_class(type.get()) == H5T_STRING &&
-                       H5Tis_variable_str(type.get()) == 0 && H5Tget_size(type.get()) <= size_;
+                       H5Tis_variable_str(type.get()) == 0 && space.good() &&
+                       H5Sget_simple_extent_npoints(space.get()) == 1;
   if (!is_text) fail(fmt::format("there is no text \"{}\" in it; is it the right file?", name));
+  take_room(name, 1, H5Tget_size(type.get()));
   std::string text(H5Tget_size(type.get()), '\0');
   if (H5Dread(data.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
     fail(fmt::format("\"{}\" cannot be read; the file is damaged or cut off", name));
@@ -238,11 +310,13 @@ std::string Hdf5Reader::read_text(const std::string& name) const {
 }
 
 bool Hdf5Reader::has_attribute(const std::string& name, const std::string& key) const {
+  check_links(name);
   return H5Aexists_by_name(file_.get(), name.c_str(), key.c_str(), H5P_DEFAULT) > 0;
 }
 
 void Hdf5Reader::read_attribute(const std::string& name, const std::string& key, hid_t memory,
                                 void* value) const {
+  check_links(name);
   const Hdf5Handle attribute(
       H5Aopen_by_name(file_.get(), name.c_str(), key.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   const Hdf5Handle space(attribute.good() ? H5Aget_space(attribute.get()) : -1, H5Sclose);
@@ -265,6 +339,7 @@ std::int64_t Hdf5Reader::integer(const std::string& name, const std::string& key
 
 std::string Hdf5Reader::text(const std::string& name, const std::string& key) const {
   constexpr std::size_t longest = 1 << 20;
+  check_links(name);
   const Hdf5Handle attribute(
       H5Aopen_by_name(file_.get(), name.c_str(), key.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   const Hdf5Handle type(attribute.good() ? H5Aget_type(attribute.get()) : -1, H5Tclose);

@@ -82,7 +82,10 @@ class Hdf5Writer {
   Hdf5Handle file_;
 };
 
-/// Reads a file whose bytes are in memory. Throws Error (kind scene) at `place`, with the remedy.
+/// Reads a file whose bytes are in memory. It opens no other file: soft and external links, data in
+/// other files and filters that are plugins are rejected. All data read from it together take at
+/// most 1032 times its bytes, the maximum expansion of deflate. Throws Error (kind scene) at
+/// `place`, with the remedy.
 class Hdf5Reader {
  public:
   Hdf5Reader(std::string_view bytes, std::string place);
@@ -103,6 +106,10 @@ class Hdf5Reader {
   std::string text(const std::string& name, const std::string& key) const;
 
  private:
+  void check_links(const std::string& name) const;
+  Hdf5Handle open_data(const std::string& name, const char* kind) const;
+  void check_storage(const std::string& name, hid_t data) const;
+  void take_room(const std::string& name, std::size_t count, std::size_t bytes) const;
   template <class T> void read_as(const std::string& name, hid_t memory, std::vector<T>& v) const;
   void read_attribute(const std::string& name, const std::string& key, hid_t memory,
                       void* value) const;
@@ -111,7 +118,7 @@ class Hdf5Reader {
   Hdf5Lock lock_;
   std::string place_;
   Hdf5Handle file_;
-  std::size_t size_;  // of the whole file
+  mutable std::size_t room_;  // bytes that may still be read
 };
 
 }  // namespace freshet

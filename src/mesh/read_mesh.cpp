@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/triangle_mesh.h"
-
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <string>
 
-#include "freshet/error.h"
+#include "core/input_file.h"
+#include "mesh/mesh_formats.h"
 
 #ifdef FRESHET_ASSIMP
 #include <assimp/postprocess.h>
@@ -15,33 +13,23 @@
 #endif
 
 namespace freshet {
+namespace {
+
+std::string extension_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
 
 #ifdef FRESHET_ASSIMP
 
-namespace {
-
-[[noreturn]] void fail(const std::filesystem::path& file, const std::string& why) {
-  throw Error(Error::Kind::scene, file.string(), why);
-}
-
-void check_file(const std::filesystem::path& file) {
-  std::error_code ec;
-  const auto status = std::filesystem::status(file, ec);
-  if (!std::filesystem::exists(status)) fail(file, "no such file of a mesh; check the path");
-  if (!std::filesystem::is_regular_file(status))
-    fail(file, "not a file; name a *.stl, *.obj or *.ply file");
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
-  if (extension != ".stl" && extension != ".obj" && extension != ".ply")
-    fail(file, "not *.stl, *.obj or *.ply; convert it to one");
-}
-
-void append(const aiMesh& part, TriangleMesh& mesh, const std::filesystem::path& file) {
+void append(const aiMesh& part, TriangleMesh& mesh, const FilePlace& place) {
   const int first = int(mesh.points.size());
   for (unsigned k = 0; k < part.mNumVertices; ++k) {
     const aiVector3D& v = part.mVertices[k];
-    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
-      fail(file, "a corner is not finite; export the mesh again");
+    for (const float x : {v.x, v.y, v.z})
+      if (!(std::abs(double(x)) <= farthest_corner))  // true for NaN as well
+        place.fail("a corner is not finite, or beyond 1e15; export the mesh again");
     mesh.points.push_back({double(v.x), double(v.y), double(v.z)});
   }
   for (unsigned k = 0; k < part.mNumFaces; ++k) {
@@ -52,34 +40,58 @@ void append(const aiMesh& part, TriangleMesh& mesh, const std::filesystem::path&
   }
 }
 
-}  // namespace
-
-bool reads_meshes() { return true; }
-
-TriangleMesh read_mesh(const std::filesystem::path& file) {
-  check_file(file);
+/// Reads bytes that have been checked. `format` is "obj" or "stl". Assimp opens no file.
+TriangleMesh read_by_assimp(std::string_view bytes, const char* format, const FilePlace& place) {
   Assimp::Importer importer;
-  const aiScene* scene =
-      importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_PreTransformVertices);
+  const aiScene* scene = importer.ReadFileFromMemory(
+      bytes.data(), bytes.size(), aiProcess_Triangulate | aiProcess_PreTransformVertices, format);
   if (!scene)
-    fail(file,
-         "cannot be read as a mesh (" + std::string(importer.GetErrorString()) + "); is it whole?");
+    place.fail("cannot be read as a mesh (" +
+               std::string(importer.GetErrorString()).substr(0, 200) + "); is it whole?");
   TriangleMesh mesh;
-  for (unsigned k = 0; k < scene->mNumMeshes; ++k) append(*scene->mMeshes[k], mesh, file);
-  if (mesh.triangles.empty()) fail(file, "there is no triangle in it; is it the right file?");
+  for (unsigned k = 0; k < scene->mNumMeshes; ++k) append(*scene->mMeshes[k], mesh, place);
   return mesh;
 }
 
 #else
 
-bool reads_meshes() { return false; }
-
-TriangleMesh read_mesh(const std::filesystem::path& file) {
-  throw Error(Error::Kind::scene, file.string(),
-              "this Freshet was built without Assimp, which reads meshes; install libassimp-dev "
-              "and build it anew");
+TriangleMesh read_by_assimp(std::string_view, const char*, const FilePlace& place) {
+  place.fail(
+      "this Freshet was built without Assimp, which reads *.stl and *.obj; convert the mesh to "
+      "*.ply, or install libassimp-dev and build it anew");
 }
 
 #endif
+
+}  // namespace
+
+#ifdef FRESHET_ASSIMP
+bool reads_meshes() { return true; }
+#else
+bool reads_meshes() { return false; }
+#endif
+
+TriangleMesh mesh_in(std::string_view bytes, const std::filesystem::path& file) {
+  FilePlace place(file.string());
+  TriangleMesh mesh;
+  const std::string extension = extension_of(file);
+  if (extension == ".ply") {
+    mesh = read_ply_mesh(bytes, place);
+  } else if (extension == ".obj") {
+    mesh = read_by_assimp(plain_obj(bytes, place), "obj", place);
+  } else if (extension == ".stl") {
+    check_stl(bytes, place);
+    mesh = read_by_assimp(bytes, "stl", place);
+  } else {
+    place.fail("not *.stl, *.obj or *.ply; convert it to one");
+  }
+  if (mesh.triangles.empty()) place.fail("there is no triangle in it; is it the right file?");
+  return mesh;
+}
+
+TriangleMesh read_mesh(const std::filesystem::path& file) {
+  constexpr InputFile mesh_file{.noun = "mesh file", .remedy = "name a *.stl, *.obj or *.ply file"};
+  return mesh_in(read_input(file, mesh_file), file);
+}
 
 }  // namespace freshet

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "core/vec.h"
@@ -22,12 +23,14 @@ struct TriangleMesh {
   }
 };
 
-/// Whether this build reads mesh files, which needs Assimp.
+/// Whether this build reads *.stl and *.obj files, which needs Assimp. Every build reads *.ply.
 bool reads_meshes();
 
 /// Reads the triangles of a *.stl, *.obj or *.ply file. Polygons are split into triangles; lines
 /// and single points are skipped. Throws Error (kind scene) at FILE.
 TriangleMesh read_mesh(const std::filesystem::path& file);
+/// Reads a mesh from the bytes of a file. The extension of `file` selects the format.
+TriangleMesh mesh_in(std::string_view bytes, const std::filesystem::path& file);
 
 /// The findings and repairs of mend_mesh.
 struct MeshCondition {

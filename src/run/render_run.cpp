@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
-#include <iterator>
 
+#include "core/input_file.h"
 #include "freshet/render.h"
 #include "freshet/simulation.h"
 #include "io/folder.h"
@@ -94,12 +93,12 @@ class FrameBodies {
       : exist_(!scene.body.empty()), table_((run / "bodies.csv").string()) {
     if (!exist_) return;
     std::error_code ec;
-    std::ifstream in(table_, std::ios::binary);
-    if (!in || !fs::is_regular_file(table_, ec))
+    if (!fs::is_regular_file(table_, ec))
       throw Error(Error::Kind::scene, table_,
                   "this table is missing or cannot be read, and the bodies are drawn from it; put "
                   "it back, or run the scene again");
-    steps_ = read_bodies(std::string(std::istreambuf_iterator<char>(in), {}), scene, table_);
+    constexpr InputFile table{.may_be_empty = true};
+    steps_ = read_bodies(read_input(table_, table), scene, table_);
   }
   void put_into(Frame& frame, const fs::path& file) const {
     if (!exist_) return;

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <fstream>
-#include <iterator>
 
+#include "core/input_file.h"
 #include "io/video.h"
 #include "run/observer.h"
+#include "run/record_of_scene.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/same_steps.h"
 
@@ -78,8 +78,9 @@ Report run_observed(Simulation& sim, Observer& observer, const AfterStep& after_
 
 /// The scene.toml of a run folder; empty if it is missing.
 std::string scene_text_in(const fs::path& folder) {
-  std::ifstream in(folder / "scene.toml", std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  const fs::path file = folder / "scene.toml";
+  constexpr InputFile scene{.noun = "scene file", .may_be_empty = true};
+  return fs::exists(file) ? read_input(file, scene) : "";
 }
 
 /// A checkpoint may have been copied from another run. Earlier resumes may have changed the keys in
@@ -156,6 +157,7 @@ Report resume(const ResumeOptions& options) {
                                   (options.folder / "scene.toml").string(), options.overrides);
   Simulation sim(scene, options.execution);
   sim.restore(checkpoint);
+  check_record_of_scene(checkpoint.run, scene);
   check_end(sim, options);
   if (sim.finished() && fs::exists(options.folder / "report.json"))
     throw Error(

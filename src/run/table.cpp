@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <sstream>
-
+#include "core/input_file.h"
 #include "core/text.h"
 #include "freshet/error.h"
 
@@ -13,6 +11,9 @@ namespace freshet {
 namespace {
 
 using Fields = std::vector<std::string>;
+
+constexpr InputFile table_file{
+    .noun = "table", .remedy = "name a CSV file", .may_be_empty = true};
 
 [[noreturn]] void fail(const std::filesystem::path& file, std::size_t line,
                        const std::string& why) {
@@ -46,16 +47,6 @@ Column column_of(const std::string& heading) {
   return {heading.substr(0, unit), heading.substr(unit + 2, heading.size() - unit - 3), {}, {}};
 }
 
-std::string bytes_of(const std::filesystem::path& file) {
-  std::error_code ec;
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in.is_open() || in.bad() || text.bad() || !std::filesystem::is_regular_file(file, ec))
-    throw Error(Error::Kind::scene, file.string(), "cannot be read; name a file that can");
-  return text.str();
-}
-
 /// A column whose fields are all numbers holds these; one with a unit must.
 void settle(Column& column, const std::filesystem::path& file) {
   for (std::size_t row = 0; row < column.words.size(); ++row) {
@@ -84,7 +75,7 @@ const Column* Table::find(std::string_view name) const {
 }
 
 Table read_table(const std::filesystem::path& file) {
-  const std::string all = bytes_of(file);
+  const std::string all = read_input(file, table_file);
   std::string_view bytes(all);
   bytes = bytes.substr(0, bytes.rfind('\n') + 1);
   if (bytes.empty()) fail(file, 1, "no whole line; the first must name the columns");

@@ -7,9 +7,11 @@
 #include <numeric>
 #include <span>
 
+#include "core/check_checkpoint.h"
 #include "core/sha256.h"
 #include "freshet/checkpoint.h"
 #include "scene/keys/same_steps.h"
+#include "sim/check_restored.h"
 #include "sim/simulation_impl.h"
 
 namespace freshet {
@@ -123,10 +125,11 @@ Checkpoint Simulation::checkpoint() const {
 /// follows throws, all is as it was.
 class Simulation::Impl::Resized {
  public:
-  Resized(Engine& engine, std::int64_t n) : engine_(engine), n_(engine.fluid().id.size()) {
+  explicit Resized(Engine& engine) : engine_(engine), n_(engine.fluid().id.size()) {}
+  void to(std::int64_t n) {
     if (n == n_) return;
-    for (const StateArray& a : engine.state()) before_.emplace_back(a.data, a.data + a.bytes());
-    engine.resize(n);
+    for (const StateArray& a : engine_.state()) before_.emplace_back(a.data, a.data + a.bytes());
+    engine_.resize(n);
   }
   ~Resized() {
     if (before_.empty()) return;
@@ -146,11 +149,13 @@ class Simulation::Impl::Resized {
 };
 
 void Simulation::restore(const Checkpoint& c) {
+  check_checkpoint(c);
   const auto ids = std::find_if(c.arrays.begin(), c.arrays.end(),
                                 [](const StateArray& a) { return a.name == "fluid/id"; });
   const auto here = std::int64_t(impl_->engine->fluid().size());
   const bool resizes = impl_->scene.has_flows() || impl_->edited || c.edited;
-  Impl::Resized resized(*impl_->engine, !resizes ? here : ids == c.arrays.end() ? 0 : ids->count);
+  Impl::Resized resized(*impl_->engine);
+  resized.to(!resizes ? here : ids == c.arrays.end() ? 0 : ids->count);
   const auto refuse = [](const std::string& why) {
     throw Error(Error::Kind::scene, "", "this checkpoint is not of this scene: " + why);
   };
@@ -175,8 +180,14 @@ void Simulation::restore(const Checkpoint& c) {
                       "FRESHET_DOUBLE, or of another dimension?",
                       a.name));
   }
+  for (const StateArray& b : c.arrays)
+    if (std::none_of(state.begin(), state.end(),
+                     [&](const StateArray& a) { return a.name == b.name; }))
+      refuse(fmt::format("it has {}, which this scene does not have; was it of another solver?",
+                         b.name));
   if (c.walls_sha256 != impl_->state_digest(StateArray::Role::fixed))
     refuse("its walls are others; has a file of points changed?");
+  check_restored(c, impl_->scene);
   if (const std::string& here_as_text = impl_->scene.source;
       !c.scene.empty() && !here_as_text.empty())
     if (const std::string key =

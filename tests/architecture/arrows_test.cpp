@@ -32,7 +32,7 @@ const std::map<std::string, std::set<std::string>> arrows{
       "freshet/vector.h", "fmt"}},
     {"methods", {"api"}},
     {"formats", {"api", "core", "fmt", "pugixml.hpp", "zlib.h"}},
-    {"mesh", {"api", "core", "assimp"}},
+    {"mesh", {"api", "core", "formats", "assimp", "fmt"}},
     {"scene",
      {"api", "core", "kernels", "boundary", "formats", "mesh", "toml++", "fmt", "muParser.h"}},
     {"bodies", {"api", "core", "mesh", "scene", "btBulletDynamicsCommon.h"}},

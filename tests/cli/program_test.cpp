@@ -72,7 +72,7 @@ TEST(Program, FindsBundledScenesAndRejectsOthers) {
   EXPECT_TRUE(contains(unknown, "article")) << unknown;
   const TemporaryFolder folder;
   EXPECT_TRUE(contains(usage_error({"check", folder.path().string()}), "folder"));
-  EXPECT_TRUE(contains(usage_error({"check", "/dev/null"}), "not a file"));
+  EXPECT_TRUE(contains(usage_error({"check", "/dev/null"}), "not a regular file but a device"));
 }
 
 TEST(Program, CheckAcceptsTheArticle) {

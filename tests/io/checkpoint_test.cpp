@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 
+#include "cli/files.h"
 #include "sim/small_scenes.h"
 
 namespace freshet {
@@ -117,6 +118,13 @@ TEST(CheckpointFile, IsRejectedWithBytesMissingOrAdded) {
     EXPECT_TRUE(words.starts_with("step.h5: error: this checkpoint is torn: ")) << words;
   }
   EXPECT_NE(std::string::npos, refusal(bytes + "x").find("is damaged"));
+}
+
+TEST(CheckpointFile, ThatIsEmptyIsRejectedAsEmpty) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "step.h5", "");
+  EXPECT_EQ((folder / "step.h5").string() + ": error: this file is empty; use another checkpoint",
+            message_of([&] { read_checkpoint(folder / "step.h5"); }));
 }
 
 TEST(CheckpointFile, IsRejectedWithAFlippedBit) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "cli/files.h"
-#include "freshet/error.h"
 #include "mesh/mesh_distance.h"
 #include "mesh/meshes.h"
 
@@ -98,51 +96,6 @@ TEST(MendMesh, CountsOpenAndCrowdedEdges) {
   mesh.points.push_back({1.5, 3, 9});
   mesh.triangles.push_back({0, 1, 8});
   EXPECT_EQ(1, mend_mesh(mesh).crowded);
-}
-
-class MeshFile : public ::testing::Test {
- protected:
-  void SetUp() override {
-    if (!reads_meshes()) GTEST_SKIP() << "built without Assimp";
-  }
-  TriangleMesh read(const std::string& name, const std::string& text) {
-    write_text(folder_ / name, text);
-    return read_mesh(folder_ / name);
-  }
-  std::string refused(const std::string& name, const std::string& text) {
-    try {
-      read(name, text);
-      return "read without an error";
-    } catch (const Error& e) {
-      return e.what();
-    }
-  }
-  TemporaryFolder folder_;
-};
-
-TEST_F(MeshFile, ReadsStlObjAndPly) {
-  const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3 4\nf 1 2 5\n";
-  const std::string ply =
-      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
-      "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
-      "0 0 0\n1 0 0\n1 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n";
-  EXPECT_EQ(3u, read("a.obj", obj).triangles.size()) << "a quadrilateral is two triangles";
-  EXPECT_EQ(2u, read("a.ply", ply).triangles.size());
-  TriangleMesh box = read("A.STL", stl_of(box_mesh(low, high)));
-  EXPECT_EQ(12u, box.triangles.size());
-  EXPECT_TRUE(mend_mesh(box).closed());
-  EXPECT_NEAR(6, volume(box), 1e-6);
-}
-
-TEST_F(MeshFile, RejectsFilesThatAreNoMeshes) {
-  const auto has = [](const std::string& text, const char* part) {
-    return text.find(part) != std::string::npos;
-  };
-  EXPECT_PRED2(has, refused("a.txt", "v 0 0 0\n"), "not *.stl, *.obj or *.ply");
-  EXPECT_PRED2(has, refused("a.stl", "no mesh"), "cannot be read as a mesh");
-  EXPECT_PRED2(has, refused("a.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"), "a.obj");
-  EXPECT_THROW(read_mesh(folder_ / "none.stl"), Error);
-  EXPECT_THROW(read_mesh(folder_.path()), Error);
 }
 
 }  // namespace

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <sstream>
 
+#include "core/input_file.h"
 #include "scene/check/check.h"
 #include "scene/keys/nesting.h"
 #include "scene/keys/overrides.h"
@@ -16,27 +16,11 @@
 namespace freshet {
 namespace {
 
-constexpr std::uintmax_t largest_scene = 16u << 20;
+constexpr InputFile scene_file{.noun = "scene file",
+                               .remedy = "name a scene file (*.toml)",
+                               .may_be_empty = true,
+                               .largest = 16u << 20};
 constexpr std::size_t most_errors = 20;
-
-std::string read_file(const std::filesystem::path& file) {
-  const auto fail = [&](const std::string& why) -> std::string {
-    throw Error(Error::Kind::scene, file.string(), why);
-  };
-  std::error_code ec;
-  const auto status = std::filesystem::status(file, ec);
-  if (!std::filesystem::exists(status)) return fail("no such scene file; check the path");
-  if (std::filesystem::is_directory(status))
-    return fail("this is a folder; name a scene file (*.toml) in it");
-  if (!std::filesystem::is_regular_file(status)) return fail("not a file; name a scene file");
-  if (std::filesystem::file_size(file, ec) > largest_scene)
-    return fail("larger than 16 MiB, the limit of a scene file; check the path");
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf() || in.peek() == std::ifstream::traits_type::eof()))
-    return fail("cannot be read; check its permissions");
-  return text.str();
-}
 
 /// Remedies for syntax errors, by a part of the parser's message.
 constexpr const char* syntax_remedies[][2] = {
@@ -154,7 +138,7 @@ Scene parse_scene(const std::string& text, const std::string& name,
 }
 
 Scene load_scene(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  return parse_scene(read_file(file), file.string(), overrides);
+  return parse_scene(read_input(file, scene_file), file.string(), overrides);
 }
 
 }  // namespace freshet

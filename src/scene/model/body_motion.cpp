@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <optional>
 #include <string_view>
 
+#include "core/input_file.h"
+#include "core/text.h"
 #include "scene/model/expressions.h"
 
 namespace freshet {
@@ -19,7 +20,11 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr double little = 1e-4;  // [s]: step of the finite differences
 
-std::string_view trimmed(std::string_view text) {
+constexpr InputFile path_file{.noun = "motion file",
+                              .remedy = "name a CSV file of times and places"};
+
+/// Without spaces and quotes around it.
+std::string_view bare(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r\"");
   if (first == text.npos) return {};
   return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
@@ -29,7 +34,7 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   std::vector<std::string_view> cells;
   for (std::size_t at = 0; at <= line.size();) {
     const std::size_t comma = std::min(line.find(',', at), line.size());
-    cells.push_back(trimmed(line.substr(at, comma - at)));
+    cells.push_back(bare(line.substr(at, comma - at)));
     at = comma + 1;
   }
   return cells;
@@ -38,7 +43,7 @@ std::vector<std::string_view> cells_of(std::string_view line) {
 /// The index of a column among time, x, y, z and angle. A unit after the name is ignored.
 std::optional<std::size_t> column_of(std::string_view name) {
   static constexpr std::string_view names[] = {"time", "x", "y", "z", "angle"};
-  name = trimmed(name.substr(0, name.find('[')));
+  name = bare(name.substr(0, name.find('[')));
   const auto* it = std::find(std::begin(names), std::end(names), name);
   if (it == std::end(names)) return {};
   return std::size_t(it - names);
@@ -50,12 +55,11 @@ class PathReader {
       : file_(file.string()), dimension_(std::size_t(dimension)) {}
 
   std::vector<Scene::Body::Key> read() {
-    std::ifstream in(file_, std::ios::binary);
-    if (!in) fail("cannot be read; check the path and its permissions");
-    std::string line;
-    while (std::getline(in, line)) {
+    const std::string all = read_input(file_, path_file);
+    for (std::string_view bytes = all; !bytes.empty();) {
+      const std::string_view line = take_line(bytes);
       ++line_;
-      if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
+      if (bare(line).empty() || bare(line).front() == '#') continue;
       if (columns_.empty()) read_header(line);
       else read_row(line);
       if (keys_.size() > 1000000) fail("has more than a million key frames; remove some");
@@ -71,7 +75,7 @@ class PathReader {
                 whole && line_ == 0 ? file_ : fmt::format("{}:{}", file_, line_), why);
   }
   /// Messages do not quote the file: it may be any file, and none of its contents may leak.
-  void read_header(const std::string& line) {
+  void read_header(std::string_view line) {
     for (const std::string_view cell : cells_of(line)) {
       const auto column = column_of(cell);
       if (!column || (*column == 3 && dimension_ == 2))
@@ -84,7 +88,7 @@ class PathReader {
     if (std::find(columns_.begin(), columns_.end(), 0u) == columns_.end())
       fail("the first line has no column time; name the columns there, including time");
   }
-  void read_row(const std::string& line) {
+  void read_row(std::string_view line) {
     const auto cells = cells_of(line);
     if (cells.size() != columns_.size())
       fail(fmt::format(

@@ -4,10 +4,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
+#include "core/input_file.h"
 #include "scene/keys/overrides.h"
 
 namespace freshet {
@@ -20,8 +19,7 @@ Inputs inputs_of(const Scene& scene) {
     if (file.empty()) return;
     // not a TOML value, so that apply_overrides takes it as a string
     const std::string name = fmt::format("inputs/{}_{}_{}", table, k, file.filename().string());
-    std::ifstream in(file, std::ios::binary);
-    inputs.files.emplace_back(name, std::string(std::istreambuf_iterator<char>(in), {}));
+    inputs.files.emplace_back(name, read_input(file));
     names.emplace_back(fmt::format("{}[{}].{}", table, k, key), name);
   };
   for (std::size_t k = 0; k < scene.fluid.size(); ++k) add("fluid", k, scene.fluid[k].file);

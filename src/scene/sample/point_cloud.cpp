@@ -3,14 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <sstream>
-
+#include "core/input_file.h"
 #include "formats/point_sink.h"
 #include "freshet/error.h"
 
 namespace freshet {
 namespace {
+
+constexpr InputFile point_file{.noun = "point file",
+                               .remedy = "name a *.ply, *.vtp or *.csv file"};
 
 /// Collects positions and velocities, and rejects invalid ones.
 class PointColumns final : public PointSink {
@@ -84,17 +85,7 @@ PointCloud points_in(std::string_view bytes, const std::filesystem::path& file, 
 }
 
 PointCloud read_points(const std::filesystem::path& file, int dimension) {
-  const auto fail = [&](const char* why) { throw Error(Error::Kind::scene, file.string(), why); };
-  std::error_code ec;
-  const auto status = std::filesystem::status(file, ec);
-  if (!std::filesystem::exists(status)) fail("no such point file; check the path");
-  if (!std::filesystem::is_regular_file(status))
-    fail("not a file; name a *.ply, *.vtp or *.csv file");
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf()))
-    fail("cannot be read; is it empty, or do you lack the permission?");
-  return points_in(std::move(text).str(), file, dimension);
+  return points_in(read_input(file, point_file), file, dimension);
 }
 
 }  // namespace freshet

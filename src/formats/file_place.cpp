@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "formats/point_sink.h"
+#include "formats/file_place.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 namespace freshet {
 
-void PointSink::fail(const std::string& why) const {
+void FilePlace::fail(const std::string& why) const {
   throw Error(Error::Kind::scene, line ? fmt::format("{}:{}", file_, line) : file_, why);
 }
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <string>
+
+namespace freshet {
+
+/// The place of a parser in a file, for its messages.
+class FilePlace {
+ public:
+  explicit FilePlace(std::string file) : file_(std::move(file)) {}
+
+  /// Throws Error (kind scene) at FILE, or FILE:LINE.
+  [[noreturn]] void fail(const std::string& why) const;
+
+  std::size_t line = 0;  ///< current line of the parser; 0: none
+
+ private:
+  std::string file_;
+};
+
+}  // namespace freshet
