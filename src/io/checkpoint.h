@@ -32,7 +32,7 @@ struct SeriesRecord {
 /// The state of the outputs of a run.
 struct RunRecord {
   std::string scene_name;                       ///< for report.json
-  Simulation::Moment observed{};                  ///< when wall_forces and flows were last observed
+  Simulation::Moment observed{};                ///< when wall_forces and flows were last observed
   double seconds = 0;                           ///< that steps took
   std::vector<Vector> wall_forces;              ///< as last observed
   std::vector<Flow> flows;                      ///< as last observed
@@ -48,6 +48,8 @@ struct RunCheckpoint : Checkpoint {
   RunRecord run;
 };
 
+/// Call it at the start of a run: HDF5 takes memory when it is first used.
+void prepare_checkpoints();
 /// The bytes of a checkpoint file: a block of 512 bytes with the format, the program's version, the
 /// size and the SHA-256 of the whole file, then HDF5. Tools such as h5dump skip that block.
 std::string encode_checkpoint(const RunCheckpoint& checkpoint);
