@@ -22,6 +22,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* manifest_name = "manifest.json";
+constexpr std::string_view running = "running";
+/// Written over `"running",` in a manifest, as many bytes.
+constexpr std::string_view failed_word = "\"failed\", ";
 
 /// The manifest of an earlier run. Files that are not plain paths below the folder are ignored.
 struct Manifest {
@@ -62,6 +65,11 @@ std::string digest_of(std::string_view bytes) {
   return sha.hex();
 }
 
+/// A JSON string; bytes that are not UTF-8 are replaced.
+std::string json_string(std::string_view text) {
+  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string read_whole(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
@@ -90,7 +98,8 @@ void RunFolder::take(Take how, const std::vector<std::string>& planned, Provenan
   provenance_ = std::move(provenance);
   clear(how);
   make_places(planned);
-  write_manifest("running", planned_);
+  manifest_ = path() / manifest_name;
+  write_manifest(running, planned_);
 }
 
 void RunFolder::make_places(const std::vector<std::string>& files) const {
@@ -131,7 +140,7 @@ void RunFolder::write(const std::string& file, std::string_view bytes) {
 
 void RunFolder::write_more(const std::string& file, std::string_view bytes) {
   make_places({file});
-  if (planned_.insert(file).second) write_manifest("running", planned_);
+  if (planned_.insert(file).second) write_manifest(running, planned_);
   write(file, bytes);
 }
 
@@ -184,27 +193,54 @@ void RunFolder::finish(std::string_view state) {
   write_manifest(state, there);
 }
 
-void RunFolder::write_manifest(std::string_view state, const std::set<std::string>& files) const {
-  Json list = Json::array();
+/// The text is put together without JSON values: destroying those takes memory, and the process
+/// ends where there is none.
+void RunFolder::write_manifest(std::string_view state, const std::set<std::string>& files) {
+  std::string text = "{\n";
+  const auto add = [&](const char* name, const std::string& value) {
+    text += fmt::format("  \"{}\": {},\n", name, value);
+  };
+  add("freshet", json_string(FRESHET_VERSION));
+  add("commit", json_string(FRESHET_COMMIT));
+  add("compiler", json_string(FRESHET_COMPILER));
+  add("isa", json_string(provenance_.isa));
+  add("threads", std::to_string(provenance_.threads));
+  add("backend", json_string(provenance_.backend));
+  std::string words;
+  for (const std::string& word : provenance_.command)
+    words += (words.empty() ? "\n    " : ",\n    ") + json_string(word);
+  add("command", words.empty() ? "[]" : "[" + words + "\n  ]");
+  const std::size_t state_at = text.size() + std::string_view("  \"state\": ").size();
+  add("state", json_string(state));
+  std::string list;
   for (const std::string& file : files) {
-    Json entry{{"file", file}};
-    if (const auto it = written_.find(file); it != written_.end()) {
-      entry["bytes"] = it->second.bytes;
-      entry["sha256"] = it->second.sha256;
-    }
-    list.push_back(entry);
+    list += (list.empty() ? "\n    {\n      \"file\": " : ",\n    {\n      \"file\": ") +
+            json_string(file);
+    if (const auto it = written_.find(file); it != written_.end())
+      list += fmt::format(",\n      \"bytes\": {},\n      \"sha256\": \"{}\"", it->second.bytes,
+                          it->second.sha256);
+    list += "\n    }";
   }
-  const Json manifest{{"freshet", FRESHET_VERSION},
-                      {"commit", FRESHET_COMMIT},
-                      {"compiler", FRESHET_COMPILER},
-                      {"isa", provenance_.isa},
-                      {"threads", provenance_.threads},
-                      {"backend", provenance_.backend},
-                      {"command", provenance_.command},
-                      {"state", state},
-                      {"files", list}};
-  write_file(path() / manifest_name,
-             manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  text += "  \"files\": " + (list.empty() ? "[]" : "[" + list + "\n  ]") + "\n}\n";
+  write_file(manifest_, text);
+  running_at_ = state == running ? state_at : 0;
+}
+
+void RunFolder::mark_failed() noexcept {
+  if (running_at_ == 0) return;
+  const int fd = ::open(manifest_.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW);
+  if (fd < 0) return;
+  if (::pwrite(fd, failed_word.data(), failed_word.size(), off_t(running_at_)) > 0) ::fsync(fd);
+  ::close(fd);
+}
+
+void RunFolder::fail() noexcept {
+  mark_failed();
+  try {
+    if (running_at_ != 0) finish("failed");
+  } catch (...) {  // a full disk, or no memory: the marked manifest stays
+    mark_failed();
+  }
 }
 
 }  // namespace freshet

@@ -87,6 +87,7 @@ class Film {
 
 RenderReport render(const RenderOptions& options) {
   const auto start = std::chrono::steady_clock::now();
+  const int threads = thread_count(options.threads);
   const Scene scene = scene_of(options);
   const std::vector<fs::path> files = frame_files(options.run);
   if (files.empty())
@@ -107,7 +108,7 @@ RenderReport render(const RenderOptions& options) {
       throw Error(Error::Kind::run, file.string(),
                   fmt::format("this frame is in {}D and the run's scene in {}D; run it again",
                               frame.dimension, scene.dimension()));
-    const Image image = draw(scene, frame, thread_count(options.threads));
+    const Image image = draw(scene, frame, threads);
     report.pictures.push_back(picture_name(folder, report.pictures.size()));
     write_file(report.pictures.back(), encode_png(image));
     if (film) film->add(image, frame.time);
