@@ -11,6 +11,7 @@
 #include "freshet/derived.h"
 #include "freshet/simulation.h"
 #include "machine.h"
+#include "print.h"
 #include "progress.h"
 
 namespace freshet::cli {
@@ -126,20 +127,20 @@ Json to_json(const Measured& m, const std::string& value) {
 }
 
 void print_solves(const Measured& m) {
-  for (const SolveStatistics& s : m.solves) fmt::print("  {}: {}\n", s.name, solve_words(s));
+  for (const SolveStatistics& s : m.solves) print_out("  {}: {}\n", s.name, solve_words(s));
   if (m.solves.empty()) return;
-  fmt::print("  {:.3g} iterations a step, {} particle-iterations/s", m.iterations() / m.steps,
-             short_number(m.particles * m.iterations() / m.seconds));
+  print_out("  {:.3g} iterations a step, {} particle-iterations/s", m.iterations() / m.steps,
+            short_number(m.particles * m.iterations() / m.seconds));
   if (m.solve_seconds() > 0)
-    fmt::print(", {} in the solves alone",
-               short_number(m.particles * m.iterations() / m.solve_seconds()));
-  fmt::print("{}\n", m.retried ? fmt::format("; {} steps halved", m.retried) : "");
+    print_out(", {} in the solves alone",
+              short_number(m.particles * m.iterations() / m.solve_seconds()));
+  print_out("{}\n", m.retried ? fmt::format("; {} steps halved", m.retried) : "");
 }
 
 /// One row a value, for a document.
 void print_markdown(const std::string& key, const std::vector<std::string>& values,
                     const std::vector<Measured>& all) {
-  fmt::print(
+  print_out(
       "| `{}` | time step [ms] | iterations a step | density error [%] | error of the solve [%] | "
       "wall time [s] | wall time for one simulated second [s] | particle-steps/s |\n|{}\n",
       key, "---|---|---|---|---|---|---|---|");
@@ -148,11 +149,11 @@ void print_markdown(const std::string& key, const std::vector<std::string>& valu
     const auto density = std::find_if(m.solves.begin(), m.solves.end(),
                                       [](const auto& s) { return s.name == "density"; });
     const bool solved = density != m.solves.end();
-    fmt::print("| `{}` | {:.3g} | {} | {:.3g} | {} | {:.3g} | {:.3g} | {} |\n", values[k],
-               1000 * m.time / m.steps,
-               solved ? fmt::format("{:.3g}", m.iterations() / m.steps) : "", 100 * m.density_error,
-               solved ? fmt::format("{:.3g}", 100 * density->last_error) : "", m.seconds,
-               m.seconds / m.time, short_number(m.particle_steps_per_second()));
+    print_out("| `{}` | {:.3g} | {} | {:.3g} | {} | {:.3g} | {:.3g} | {} |\n", values[k],
+              1000 * m.time / m.steps,
+              solved ? fmt::format("{:.3g}", m.iterations() / m.steps) : "", 100 * m.density_error,
+              solved ? fmt::format("{:.3g}", 100 * density->last_error) : "", m.seconds,
+              m.seconds / m.time, short_number(m.particle_steps_per_second()));
   }
 }
 
@@ -167,19 +168,19 @@ void print_table(const std::vector<std::string>& values, const std::vector<Measu
                  const Ceilings& c) {
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Measured& m = all[k];
-    fmt::print("{}{:.0f} particles, {:.0f} steps: {:.4g} s, {} particle-steps/s",
-               values[k].empty() ? "" : values[k] + ": ", m.particles, m.steps, m.seconds,
-               short_number(m.particle_steps_per_second()));
-    fmt::print(
+    print_out("{}{:.0f} particles, {:.0f} steps: {:.4g} s, {} particle-steps/s",
+              values[k].empty() ? "" : values[k] + ": ", m.particles, m.steps, m.seconds,
+              short_number(m.particle_steps_per_second()));
+    print_out(
         "{}\n",
         k == 0 ? "" : fmt::format("  ({:.2f} times the first's time)", m.seconds / all[0].seconds));
     print_solves(m);
     for (const VerbTiming& v : m.verbs)
-      fmt::print("  {:<{}}{:>8.1f} ns a particle  {:>4.0f} %\n", v.name, widest_name(m.verbs),
-                 ns_per_particle(v), 100 * v.seconds / m.seconds);
+      print_out("  {:<{}}{:>8.1f} ns a particle  {:>4.0f} %\n", v.name, widest_name(m.verbs),
+                ns_per_particle(v), 100 * v.seconds / m.seconds);
   }
-  fmt::print("this machine, one thread: {}flop/s, {}B/s\n", short_number(c.flops),
-             short_number(c.bytes_per_second));
+  print_out("this machine, one thread: {}flop/s, {}B/s\n", short_number(c.flops),
+            short_number(c.bytes_per_second));
 }
 
 /// The values between commas.
@@ -218,7 +219,7 @@ void bench(const BenchArguments& a) {
   for (std::size_t k = 0; k < all.size() && !key.empty(); ++k)
     out["runs"].push_back(to_json(all[k], values[k]));
   out["ceilings"] = ceilings;
-  fmt::print("{}\n", out.dump(2));
+  put(json_text(out, 2) + "\n");
 }
 
 }  // namespace

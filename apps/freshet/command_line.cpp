@@ -6,10 +6,28 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 #include "freshet/error.h"
+#include "print.h"
 
 namespace freshet::cli {
+namespace {
+
+/// Accepts numbers for which `allowed` holds. CLI::Range and CLI::PositiveNumber accept NaN.
+CLI::Validator numbers(const std::function<bool(double)>& allowed, const std::string& words) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        double value = 0;
+        const bool good = CLI::detail::lexical_cast(text, value) && allowed(value);
+        return good ? std::string()
+                    : fmt::format("\"{}\" is not allowed; it must be a number {}", text, words);
+      },
+      "");
+}
+
+}  // namespace
 
 Option Option::required() const { return Option(option_->required()); }
 Option Option::one_of(const std::vector<std::string>& values) const {
@@ -18,10 +36,18 @@ Option Option::one_of(const std::vector<std::string>& values) const {
 Option Option::range(int min, int max) const {
   return Option(option_->check(CLI::Range(min, max)));
 }
-Option Option::range(double min, double max) const {
-  return Option(option_->check(CLI::Range(min, max)));
+Option Option::at_least(int min) const {
+  return Option(
+      option_->check(numbers([=](double x) { return x >= min; }, fmt::format("from {} on", min))));
 }
-Option Option::positive() const { return Option(option_->check(CLI::PositiveNumber)); }
+Option Option::range(double min, double max) const {
+  return Option(option_->check(numbers([=](double x) { return x >= min && x <= max; },
+                                       fmt::format("from {:g} to {:g}", min, max))));
+}
+Option Option::positive() const {
+  return Option(option_->check(
+      numbers([](double x) { return x > 0 && std::isfinite(x); }, "greater than 0")));
+}
 Option Option::delimiter(char c) const { return Option(option_->delimiter(c)); }
 Option Option::repeatable() const { return Option(option_->take_all()); }
 Option Option::repeatable_value() const {
@@ -97,7 +123,11 @@ int Program::run(int argc, char** argv) {
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app_->exit(e) == 0 ? done : usage;
+    std::ostringstream out, error;
+    const int code = app_->exit(e, out, error);
+    put_text(out.str());
+    put_error(error.str());
+    return code == 0 ? done : usage;
   }
   return code_;
 }

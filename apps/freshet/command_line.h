@@ -24,6 +24,7 @@ class Option {
   Option required() const;
   Option one_of(const std::vector<std::string>& values) const;
   Option range(int min, int max) const;
+  Option at_least(int min) const;
   Option range(double min, double max) const;
   Option positive() const;
   /// Values may stand in one word, with this character between them.

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "command.h"
+#include "print.h"
 
 namespace freshet::cli {
 namespace {
@@ -64,9 +65,7 @@ void add_completion(Program& program) {
   command.option("SHELL", *shell, "bash, zsh or fish").required().one_of({"bash", "zsh", "fish"});
   command.footer("Example:\n  source <(freshet completion bash)");
   command.action([shell, &program] {
-    fmt::print("{}", *shell == "bash"  ? bash(program)
-                     : *shell == "zsh" ? zsh(program)
-                                       : fish(program));
+    put(*shell == "bash" ? bash(program) : *shell == "zsh" ? zsh(program) : fish(program));
     return done;
   });
 }

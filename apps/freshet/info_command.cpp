@@ -9,6 +9,7 @@
 #include "freshet/derived.h"
 #include "freshet/simulation.h"
 #include "machine.h"
+#include "print.h"
 #include "progress.h"
 
 namespace freshet::cli {
@@ -31,7 +32,9 @@ Cost measure(const Scene& scene, const Execution& execution) {
   return {seconds / double(sim.steps_done()), double(checkpoint_bytes(sim))};
 }
 
-void row(const char* name, const std::string& value) { fmt::print("  {:<24}{}\n", name, value); }
+void row(const char* name, const std::string& value) {
+  print_out("  {:<24}{}\n", name, printable(value));
+}
 
 std::string bound(double seconds) {
   return std::isfinite(seconds) ? fmt::format("{:.3g} s", seconds) : "none";
@@ -116,10 +119,11 @@ std::string disk_row(const Scene& s, const Derived& d) {
 }
 
 void info(const SceneArguments& a) {
+  const int threads = thread_count(a.threads);
   const Scene s = a.load();
   const Derived d = derive(s);
   const char* density = s.dimension() == 3 ? "kg/m³" : "kg/m²";
-  fmt::print("{}\n", s.title.empty() ? a.name : s.title);
+  print_out("{}\n", printable(s.title.empty() ? a.name : s.title));
   row("dimension", fmt::format("{}D", s.dimension()));
   row("particles", particles_row(d));
   for (const DerivedInlet& in : d.inlets) row("inlet", inlet_row(s, in));
@@ -142,8 +146,7 @@ void info(const SceneArguments& a) {
   row("steps",
       fmt::format("{}{} for {:g} s", s.time.adaptive ? "at least " : "", s.steps(), s.time.end));
   if (s.solver.backend == BackendName::cpu)
-    row("computed by",
-        fmt::format("{} threads, {}", thread_count(a.threads), instruction_set(a.isa)));
+    row("computed by", fmt::format("{} threads, {}", threads, instruction_set(a.isa)));
   else row("computed by", "one thread, scalar (reference)");
   const Cost cost = measure(s, a.execution());
   row("run time",

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
-#include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <exception>
@@ -9,6 +6,8 @@
 
 #include "command.h"
 #include "freshet/version.h"
+#include "memory.h"
+#include "print.h"
 
 namespace freshet::cli {
 namespace {
@@ -36,10 +35,26 @@ int run_program(int argc, char** argv) {
 /// What a command printed must have reached a disk that may be full; a reader that went away is
 /// fine. (A run's words are not its result.)
 int check_output(const std::string& command, int code) {
-  if (code != done || command == "run" || command == "resume" || std::fflush(stdout) == 0 ||
-      errno == EPIPE)
-    return code;
-  fmt::print(stderr, "error: cannot write to standard output: {}\n", std::strerror(errno));
+  if (code != done || command == "run" || command == "resume") return code;
+  const int failure = output_failure();
+  if (failure == 0) return code;
+  print_error("error: cannot write to standard output: {}; make room, or print elsewhere\n",
+              std::strerror(failure));
+  return failed;
+}
+
+/// Runs the program and prints its errors, except that memory ran out.
+int report_errors(int argc, char** argv) {
+  try {
+    return check_output(argc > 1 ? argv[1] : "", run_program(argc, argv));
+  } catch (const Error& e) {
+    print_diagnostics(e.diagnostics());
+    return e.kind() == Error::Kind::scene ? usage : failed;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& e) {
+    print_error("error: {}\n", e.what());
+  }
   return failed;
 }
 
@@ -47,19 +62,16 @@ int check_output(const std::string& command, int code) {
 }  // namespace freshet::cli
 
 int main(int argc, char** argv) {
+  freshet::cli::fill_standard_descriptors();
+  freshet::cli::keep_memory_in_reserve();
   // A full disk or a reader that went away is an error that is told, not a signal that kills.
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
   try {
-    const int code = freshet::cli::run_program(argc, argv);
-    return freshet::cli::check_output(argc > 1 ? argv[1] : "", code);
-  } catch (const freshet::Error& e) {
-    freshet::cli::print_diagnostics(e.diagnostics());
-    return e.kind() == freshet::Error::Kind::scene ? freshet::cli::usage : freshet::cli::failed;
+    return freshet::cli::report_errors(argc, argv);
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "error: out of memory; make the particles' spacing larger\n");
-  } catch (const std::exception& e) {
-    fmt::print(stderr, "error: {}\n", e.what());
+    freshet::cli::put_error(
+        "error: out of memory; make particles.spacing larger, or free memory for the run\n");
   }
   return freshet::cli::failed;
 }

@@ -8,13 +8,20 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "print.h"
+
 namespace freshet::cli {
 namespace {
 
-/// Output that nobody reads any more is no reason to end a run.
-void put(const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  std::fflush(stdout);
+/// Text that is seen at once.
+void show_text(const std::string& text) {
+  put_text(text);
+  flush_output();
+}
+/// The progress bar, with its control characters, or JSON.
+void show_bytes(const std::string& bytes) {
+  put(bytes);
+  flush_output();
 }
 
 std::string duration(double seconds) {
@@ -54,11 +61,11 @@ void Progress::start(const Simulation& sim) {
                                     sim.fluid().size(), s.time.end, *s.time.step_max)
                       : fmt::format("{} particles, {} steps of {:g} s", sim.fluid().size(),
                                     s.steps(), s.time.step));
-  event(nlohmann::ordered_json{{"event", "start"},
-                               {"particles", sim.fluid().size()},
-                               {"steps", s.steps()},
-                               {"time_step", s.time.adaptive ? *s.time.step_max : s.time.step}}
-            .dump());
+  event(json_text(
+      nlohmann::ordered_json{{"event", "start"},
+                             {"particles", sim.fluid().size()},
+                             {"steps", s.steps()},
+                             {"time_step", s.time.adaptive ? *s.time.step_max : s.time.step}}));
   begin_ = Clock::now();
   shown_solves_ = sim.solves();
   for (SolveStatistics& solve : shown_solves_) {  // the step that is just done is this run's
@@ -121,7 +128,7 @@ void Progress::show(const Simulation& sim, double seconds) {
                                 {"iterations", iterations_since_shown(solve)},
                                 {"error", solve.last_error}});
     if (!sim.solves().empty()) json["retried"] = sim.time_steps().retried;
-    event(json.dump());
+    event(json_text(json));
     return;
   }
   std::string facts =
@@ -132,23 +139,23 @@ void Progress::show(const Simulation& sim, double seconds) {
     facts += fmt::format("  {} {:.3g} iterations", solve.name, iterations_since_shown(solve));
   if (const auto retried = sim.time_steps().retried)
     facts += fmt::format("  {} steps halved", retried);
-  if (style_ == Style::lines) return put(fmt::format("{:3.0f} %  {}\n", 100 * done, facts));
+  if (style_ == Style::lines) return show_text(fmt::format("{:3.0f} %  {}\n", 100 * done, facts));
   const int width = 24, full = int(done * width);
   std::string bar;
   for (int k = 0; k < width; ++k) bar += k < full ? "█" : "░";
-  put(fmt::format("\r{} {:3.0f} %  {}\033[K", bar, 100 * done, facts));
+  show_bytes(fmt::format("\r{} {:3.0f} %  {}\033[K", bar, 100 * done, facts));
 }
 
 void Progress::end() {
-  if (style_ == Style::bar && shown_step_ >= 0) put("\n");
+  if (style_ == Style::bar && shown_step_ >= 0) show_bytes("\n");
 }
 
 void Progress::say(const std::string& line) const {
-  if (style_ == Style::bar || style_ == Style::lines) put(line + "\n");
+  if (style_ == Style::bar || style_ == Style::lines) show_text(line + "\n");
 }
 
 void Progress::event(const std::string& json) const {
-  if (style_ == Style::json) put(json + "\n");
+  if (style_ == Style::json) show_bytes(json + "\n");
 }
 
 }  // namespace freshet::cli

@@ -7,6 +7,7 @@
 #include "command.h"
 #include "freshet/render.h"
 #include "interrupts.h"
+#include "print.h"
 
 namespace freshet::cli {
 namespace {
@@ -29,17 +30,17 @@ int render_run(const RenderArguments& a) {
   if (!a.video.empty()) options.video = VideoOptions{a.video, a.fps};
   const bool bar = !a.quiet && isatty(STDOUT_FILENO) == 1;
   options.after_picture = [bar](std::size_t done, std::size_t all) {
-    if (bar) fmt::print("\r{} of {} pictures", done, all);
-    if (bar) std::fflush(stdout);
+    if (bar) put(fmt::format("\r{} of {} pictures", done, all));
+    if (bar) flush_output();
     return !stop_asked();
   };
   if (!a.quiet) options.warn = print_diagnostics;
   catch_interrupts();
   const RenderReport r = render(options);
+  if (bar) put("\r");
   if (!a.quiet)
-    fmt::print("{}{}{} pictures in {:.3g} s\nwrote {}\n", bar ? "\r" : "",
-               r.interrupted ? "interrupted after " : "", r.pictures.size(), r.seconds,
-               r.pictures.empty() ? "" : r.pictures.back().string());
+    print_out("{}{} pictures in {:.3g} s\nwrote {}\n", r.interrupted ? "interrupted after " : "",
+              r.pictures.size(), r.seconds, r.pictures.empty() ? "" : r.pictures.back().string());
   return r.interrupted ? interrupted : done;
 }
 
@@ -52,7 +53,7 @@ void add_render(Program& program) {
   render.option("--set", a->set, "KEY=VALUE: change a key of picture or camera").repeatable_value();
   render.option("--output", a->output, "the folder of the pictures (default: DIR/pictures)");
   render.flag("--overwrite", a->overwrite, "replace existing pictures");
-  render.option("--threads", a->threads, "threads (default: all)").range(1, 4096);
+  render.option("--threads", a->threads, "threads (default: all)").at_least(1);
   render.flag("--quiet", a->quiet, "print nothing but errors");
   render.option("--video", a->video, "make a video, FILE.mp4 or FILE.gif (needs ffmpeg)");
   render.option("--fps", a->fps, "pictures of the video per simulated second (default: 30)")

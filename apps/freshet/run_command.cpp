@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <new>
 #include <nlohmann/json.hpp>
 
 #include "command.h"
 #include "freshet/run.h"
 #include "interrupts.h"
+#include "memory.h"
+#include "print.h"
 #include "progress.h"
 
 namespace freshet::cli {
@@ -59,13 +62,11 @@ std::string table(const Report& r) {
 
 /// A warning when it is first seen: a line for people, or an event.
 void tell(const Warning& w, Progress& progress) {
-  progress.event(nlohmann::ordered_json{
-      {"event", "warning"},
-      {"kind", w.kind},
-      {"step", w.first_step},
-      {"time", w.first_time},
-      {"message",
-       w.message}}.dump());
+  progress.event(json_text(nlohmann::ordered_json{{"event", "warning"},
+                                                  {"kind", w.kind},
+                                                  {"step", w.first_step},
+                                                  {"time", w.first_time},
+                                                  {"message", w.message}}));
   if (progress.style() == Progress::Style::json || progress.style() == Progress::Style::quiet)
     return;
   progress.end();
@@ -87,7 +88,7 @@ std::string end_event(const Report& r, const std::filesystem::path& output) {
                               {"worst_error", s.worst_error},
                               {"not_converged", s.not_converged}});
   if (!r.solves.empty()) json["retried"] = r.time_steps.retried;
-  return json.dump();
+  return json_text(json);
 }
 
 int finish(const Report& r, const std::filesystem::path& output, const Progress& progress) {
@@ -100,12 +101,12 @@ int finish(const Report& r, const std::filesystem::path& output, const Progress&
   progress.event(end_event(r, output));
   for (const CheckResult& c : r.checks)
     if (!c.passed && !cut)
-      fmt::print(stderr, "error: check failed: {} is {:g}, and must be {} {:g}\n", c.name, c.value,
-                 c.relation, c.bound);
+      print_error("error: check failed: {} is {:g}, and must be {} {:g}\n", c.name, c.value,
+                  c.relation, c.bound);
   for (const Warning& w : r.warnings)
     if (r.state == Report::State::cannot_be_right && w.cannot_be_right)
-      fmt::print(stderr, "error: the run cannot be right: {} (seen in {} looks, last at step {})\n",
-                 w.message, w.looks, w.last_step);
+      print_error("error: the run cannot be right: {} (seen in {} looks, last at step {})\n",
+                  w.message, w.looks, w.last_step);
   return cut ? interrupted : r.state == Report::State::done ? done : failed;
 }
 
@@ -120,6 +121,7 @@ struct Outcome {
       if (!std::exchange(started, true)) progress.start(sim);
       progress.update(sim, seconds);
       while (told < sim.warnings().size()) tell(sim.warnings()[told++], progress);
+      if (memory_ran_short()) throw std::bad_alloc();
       return !stop_asked();
     };
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "command.h"
+#include "print.h"
 
 namespace freshet::cli {
 
@@ -20,7 +21,7 @@ std::vector<fs::path> folders_that_come_along(const std::string& name) {
 void ChangeArguments::add_to(const Command& command) {
   command.option("--set", set, "KEY=VALUE: change a key of the scene (TOML, else a string)")
       .repeatable_value();
-  command.option("--threads", threads, "threads of the cpu backend (default: all)").range(1, 4096);
+  command.option("--threads", threads, "threads of the cpu backend (default: all)").at_least(1);
   command.option("--isa", isa, "instruction set of the cpu backend (default: the best)")
       .one_of({"plain", "sse42", "avx2", "avx512"});
 }
@@ -101,8 +102,11 @@ Diagnostic in_command_line_words(Diagnostic d) {
 }
 
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics) {
-  for (const Diagnostic& d : diagnostics)
-    fmt::print(stderr, "{}\n", in_command_line_words(d).text());
+  for (const Diagnostic& d : diagnostics) {
+    Diagnostic shown = in_command_line_words(d);
+    shown.place = printable(shown.place);  // a file name may hold line ends
+    print_error("{}\n", shown.text());
+  }
 }
 
 }  // namespace freshet::cli

@@ -4,6 +4,7 @@
 
 #include "command.h"
 #include "freshet/scene_documents.h"
+#include "print.h"
 
 namespace freshet::cli {
 namespace {
@@ -28,10 +29,10 @@ void add_check(Program& program) {
     const Scene scene = a->load();
     const auto warnings = scene_warnings(scene);
     print_diagnostics(warnings);
-    fmt::print("{}: a good scene{}\n", a->name,
-               warnings.empty() ? ""
-                                : fmt::format(", with {} warning{}", warnings.size(),
-                                              warnings.size() == 1 ? "" : "s"));
+    print_out("{}: a good scene{}\n", a->name,
+              warnings.empty() ? ""
+                               : fmt::format(", with {} warning{}", warnings.size(),
+                                             warnings.size() == 1 ? "" : "s"));
     return done;
   });
 }
@@ -43,8 +44,8 @@ void add_scenes(Program& program) {
   scenes.footer("Example:\n  freshet scenes");
   scenes.action([names_only] {
     for (const auto& [name, file] : scenes_that_come_along()) {
-      if (*names_only) fmt::print("{}\n", name);
-      else fmt::print("{:<20} {}\n", name, title_of(name, file));
+      if (*names_only) print_out("{}\n", name);
+      else print_out("{:<20} {}\n", name, printable(title_of(name, file)));
     }
     return done;
   });
@@ -56,7 +57,7 @@ void add_schema(Program& program) {
   schema.flag("--markdown", *markdown, "print the reference of all keys instead");
   schema.footer("Example:\n  freshet schema > scene.schema.json");
   schema.action([markdown] {
-    fmt::print("{}", *markdown ? scene_reference() : scene_schema());
+    put(*markdown ? scene_reference() : scene_schema());
     return done;
   });
 }

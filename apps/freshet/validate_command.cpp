@@ -8,6 +8,8 @@
 #include <fstream>
 
 #include "command.h"
+#include "freshet/simulation.h"
+#include "print.h"
 
 namespace freshet::cli {
 namespace {
@@ -53,8 +55,8 @@ std::vector<ValidationCase> chosen(const ValidateArguments& a) {
 
 void list() {
   for (const ValidationCase& c : cases_that_come_along())
-    fmt::print("{:<24} {}{}\n", c.name, c.title,
-               c.short_form ? fmt::format(" (short: {})", c.short_form->cost) : "");
+    print_out("{:<24} {}{}\n", c.name, printable(c.title),
+              c.short_form ? fmt::format(" (short: {})", c.short_form->cost) : "");
 }
 
 std::string name_of(const ValidationRun& r) {
@@ -67,12 +69,12 @@ void tell(const ValidationRun& r, std::size_t done, std::size_t all) {
                      : !r.error.empty() ? "FAILED"
                      : r.passed()       ? "passes, though it was expected to fail"
                                         : "MISSED";
-  fmt::print(stderr, "[{}/{}] {}: {} ({} particles, {:.1f} s)\n", done, all, name_of(r), word,
-             r.particles, r.seconds);
-  if (!r.error.empty()) fmt::print(stderr, "    {}\n", r.error);
+  print_error("[{}/{}] {}: {} ({} particles, {:.1f} s)\n", done, all, name_of(r), word, r.particles,
+              r.seconds);
+  if (!r.error.empty()) print_error("    {}\n", r.error);
   for (const ValidationResult& v : r.results)
-    fmt::print(
-        stderr, "    {:<36} {:.4g}{}{}\n", v.name, v.value,
+    print_error(
+        "    {:<36} {:.4g}{}{}\n", v.name, v.value,
         v.bound ? fmt::format(" ({} {:g})", v.at_least ? "at least" : "bound", *v.bound) : "",
         v.as_expected() ? v.passed ? "" : " missed, as expected"
         : v.passed      ? " met, though it was expected to be missed"
@@ -87,6 +89,10 @@ void write(const fs::path& file, const std::string& text) {
 }
 
 int validate_with(const ValidateArguments& a) {
+  if (a.jobs > thread_limit())
+    throw Error(
+        Error::Kind::scene, fmt::format("--jobs {}", a.jobs),
+        fmt::format("at most {} on this machine; run fewer cases at a time", thread_limit()));
   ValidateOptions options;
   options.cases = chosen(a);
   options.solvers = a.solvers;
@@ -97,9 +103,7 @@ int validate_with(const ValidateArguments& a) {
   options.short_form = a.short_form;
   options.jobs = a.jobs;
   options.output = a.output;
-  options.before_run = [](const ValidationRun& r) {
-    fmt::print(stderr, "running {} ...\n", name_of(r));
-  };
+  options.before_run = [](const ValidationRun& r) { print_error("running {} ...\n", name_of(r)); };
   options.after_run = tell;
   const auto runs = validate(options);
   if (runs.empty())
@@ -111,12 +115,12 @@ int validate_with(const ValidateArguments& a) {
     write(fs::path(a.report) / "index.html", validation_html(options.cases, runs));
     write(fs::path(a.report) / "validation.json", validation_json(runs));
     write(fs::path(a.report) / "validation.md", validation_markdown(options.cases, runs));
-    fmt::print(stderr, "wrote {}\n", (fs::path(a.report) / "index.html").string());
+    print_error("wrote {}\n", (fs::path(a.report) / "index.html").string());
   }
-  if (a.json) fmt::print("{}", validation_json(runs));
+  if (a.json) put(validation_json(runs));
   const auto bad =
       std::count_if(runs.begin(), runs.end(), [](auto& r) { return !r.as_expected(); });
-  fmt::print(stderr, "{}\n", validation_summary(runs));
+  print_error("{}\n", validation_summary(runs));
   return bad ? failed : done;
 }
 
@@ -143,7 +147,7 @@ void add_validate(Program& program) {
                "keep the finished runs of the same scenes in --output, and resume stopped ones");
   command.flag("--measure-only", a->measure_only, "measure the runs in --output, and run nothing");
   command.option("--jobs", a->jobs, "runs at a time, one thread each (default: one, all threads)")
-      .range(1, 1024);
+      .at_least(1);
   command.option("--output", a->output, "the folder of the runs (default: runs/validation)");
   command.option("--report", a->report, "folder for index.html, validation.json and validation.md");
   command.flag("--json", a->json, "print the results as JSON");

@@ -110,7 +110,7 @@ std::string validation_json(const std::vector<ValidationRun>& runs) {
     }
     all["runs"].push_back(std::move(run));
   }
-  return all.dump(2) + "\n";
+  return all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 std::string validation_html(const std::vector<ValidationCase>& cases,

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <latch>
 #include <limits>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <system_error>
 #include <thread>
 
 #include "core/input_file.h"
@@ -293,7 +295,9 @@ std::vector<ValidationRun> validate(const ValidateOptions& options) {
     };
   std::atomic<std::size_t> next = 0;
   std::exception_ptr failure;
+  std::latch all_started(1);
   const auto work = [&] {
+    all_started.wait();
     for (std::size_t k; (k = next++) < series.size();) try {
         runs[k] = run_series(series[k], one_at_a_time);
         const std::lock_guard lock(telling);
@@ -306,7 +310,16 @@ std::vector<ValidationRun> validate(const ValidateOptions& options) {
       }
   };
   std::vector<std::jthread> others;
-  for (int j = 1; j < options.jobs; ++j) others.emplace_back(work);
+  try {
+    for (int j = 1; j < options.jobs; ++j) others.emplace_back(work);
+  } catch (const std::system_error& e) {
+    next = series.size();
+    all_started.count_down();
+    throw Error(Error::Kind::run, "option jobs " + std::to_string(options.jobs),
+                "the system does not start so many threads (" + e.code().message() +
+                    "); run fewer cases at a time, or raise the limit on processes (ulimit -u)");
+  }
+  all_started.count_down();
   work();
   others.clear();
   if (failure) std::rethrow_exception(failure);

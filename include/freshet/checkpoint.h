@@ -17,10 +17,10 @@ struct WatchRecord {
     bool lasting, fatal;
     std::int64_t steps;  ///< number of steps with the warning
   };
-  struct Densest {
+  struct Particle {
     std::uint64_t id;
     std::array<double, 3> x;  ///< [m]
-    double value;             ///< [kg/m^D]
+    double value;             ///< density [kg/m^D] or speed [m/s]
   };
   std::vector<Warning> warnings;
   std::vector<Track> tracks;  ///< one per warning
@@ -28,7 +28,9 @@ struct WatchRecord {
   std::int64_t first_step = 0;  ///< step of the first health check
   /// At the first health check: mean of max(0, rho/rho0 - 1), and the time-step limit [s]
   double first_compression = 0, first_bound = 0;
-  Densest first_densest{};                  ///< the densest particle at the first health check
+  Particle first_densest{};                 ///< the densest particle at the first health check
+  std::int64_t last_step = 0;               ///< step of the last health check; 0: none so far
+  Particle last_fastest{};                  ///< the fastest particle at the last health check
   std::vector<std::int64_t> not_converged;  ///< SolveStatistics::not_converged of each solve
 };
 

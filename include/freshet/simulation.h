@@ -16,13 +16,15 @@ namespace freshet {
 
 /// Threads and instruction set of the cpu backend. They do not change the bits of results.
 struct Execution {
-  int threads = 0;  ///< 0: as many as the machine has
+  int threads = 0;  ///< 0: as many as the machine has; at most thread_limit()
   std::string isa;  ///< "avx512", "avx2", "sse42" or "plain"; empty: the best that the machine has
 };
 /// The instruction set and the number of threads that Execution selects on this machine.
-/// instruction_set throws Error (kind scene) for a set that the machine lacks.
+/// instruction_set throws Error (kind scene) for a set that the machine lacks, and thread_count for
+/// more threads than thread_limit(): four times as many as the machine has, and 64 at least.
 std::string instruction_set(const std::string& isa);
 int thread_count(int threads);
+int thread_limit();
 
 struct Checkpoint;  // freshet/checkpoint.h
 

@@ -78,6 +78,8 @@ InstructionSet choose(const std::string& isa) {
                                           names));
 }
 
+int hardware_threads() { return std::max(1, int(std::thread::hardware_concurrency())); }
+
 constexpr SolverName compiled[] = {
 #define FRESHET_SOLVER(name) SolverName::name,
     FRESHET_SOLVERS
@@ -88,8 +90,16 @@ constexpr SolverName compiled[] = {
 
 std::string instruction_set(const std::string& isa) { return choose(isa).name; }
 
+int thread_limit() { return std::max(64, 4 * hardware_threads()); }
+
 int thread_count(int threads) {
-  return threads > 0 ? threads : std::max(1, int(std::thread::hardware_concurrency()));
+  if (threads > thread_limit())
+    throw Error(Error::Kind::scene, fmt::format("option threads {}", threads),
+                fmt::format("at most {} on this machine, which runs {} at a time; use fewer, or "
+                            "omit `threads` to use {}",
+                            thread_limit(), hardware_threads(), hardware_threads()),
+                {"threads"});
+  return threads > 0 ? threads : hardware_threads();
 }
 
 bool has_solver(SolverName name) {

@@ -23,7 +23,10 @@ bool has_solver(SolverName name);
 /// The name of the instruction set that `isa` selects; the best one if empty. Throws Error (kind
 /// scene) if it is not available.
 std::string instruction_set(const std::string& isa);
-/// The number of threads that `threads` selects; 0: as many as the machine has.
+/// The number of threads that `threads` selects; 0: as many as the machine has. Throws Error (kind
+/// scene) if it is above thread_limit().
 int thread_count(int threads);
+/// Four times as many as the machine has, and 64 at least.
+int thread_limit();
 
 }  // namespace freshet

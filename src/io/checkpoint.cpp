@@ -32,9 +32,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SolveStatistics, name, tolerance, solves, ite
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Warning, kind, message, first_step, last_step, worst_step,
                                    first_time, looks, worst, bound, cannot_be_right)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WatchRecord::Track, lasting, fatal, steps)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WatchRecord::Densest, id, x, value)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WatchRecord::Particle, id, x, value)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WatchRecord, warnings, tracks, steps_watched, first_step,
-                                   first_compression, first_bound, first_densest, not_converged)
+                                   first_compression, first_bound, first_densest, last_step,
+                                   last_fastest, not_converged)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Flow, kind, name, particles, volume, rate, waiting)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TableRecord, header, bytes, scheduled, sha256, scheduled_sha256)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeriesRecord, times, scheduled)
@@ -47,7 +48,7 @@ namespace {
 using JsonHeader = nlohmann::json;
 
 // The format changes with whatever makes an older program misread a newer file, or the reverse.
-constexpr int format = 4;
+constexpr int format = 5;
 constexpr std::string_view magic = "Freshet checkpoint\n";
 constexpr std::size_t block = 512;  // HDF5 searches its signature at 0, 512, 1024 ...
 const std::string no_digest(64, '0');
@@ -103,8 +104,10 @@ WatchRecord finite(WatchRecord w) {
   for (Warning& warning : w.warnings) warning.worst = finite(warning.worst);
   w.first_compression = finite(w.first_compression);
   w.first_bound = finite(w.first_bound);
-  w.first_densest.value = finite(w.first_densest.value);
-  for (double& x : w.first_densest.x) x = finite(x);
+  for (WatchRecord::Particle* p : {&w.first_densest, &w.last_fastest}) {
+    p->value = finite(p->value);
+    for (double& x : p->x) x = finite(x);
+  }
   return w;
 }
 
@@ -202,10 +205,12 @@ RunCheckpoint read_body(std::string_view body, const std::string& file_name) {
 
 }  // namespace
 
+void prepare_checkpoints() { start_hdf5(); }
+
 std::string encode_checkpoint(const RunCheckpoint& c) {
   Hdf5Writer file;
   file.write_text("scene.toml", c.scene);
-  file.write_text("run.json", json_of(c).dump(2));
+  file.write_text("run.json", json_of(c).dump(2, ' ', false, JsonHeader::error_handler_t::replace));
   for (const Checkpoint::Array& a : c.arrays) write_array(file, a);
   return sealed_checkpoint(file.bytes());
 }

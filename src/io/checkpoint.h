@@ -49,6 +49,8 @@ struct RunCheckpoint : Checkpoint {
   RunRecord run;
 };
 
+/// Call it at the start of a run: HDF5 takes memory when it is first used.
+void prepare_checkpoints();
 /// The bytes of a checkpoint file: a block of 512 bytes with the format, the program's version, the
 /// size and the SHA-256 of the whole file, then HDF5. Tools such as h5dump skip that block.
 std::string encode_checkpoint(const RunCheckpoint& checkpoint);

@@ -4,15 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 
 #include "freshet/error.h"
 
 namespace freshet {
 namespace {
 
-constexpr std::size_t increment = 1 << 16;    // by which a file in memory grows [bytes]
-constexpr const char* in_memory = "freshet";  // name of a file that exists in memory only
-constexpr std::size_t most_deflated = 1032;   // maximum expansion of a byte by deflate
+constexpr std::size_t increment = 1 << 16;   // by which a file in memory grows [bytes]
+constexpr std::size_t most_deflated = 1032;  // maximum expansion of a byte by deflate
+// The name of files that exist in memory only. HDF5 opens none whose name a file has, in the
+// working directory for example; no file can have this one.
+constexpr const char* in_memory = "/dev/null/freshet";
 
 std::recursive_mutex& library() {
   static std::recursive_mutex mutex;
@@ -20,7 +23,18 @@ std::recursive_mutex& library() {
 }
 
 void require(bool good) {
-  if (!good) throw Error(Error::Kind::run, "", "HDF5 cannot make a file; is memory left?");
+  if (!good)
+    throw Error(Error::Kind::run, "",
+                "HDF5 cannot make a file, probably as memory is short; free memory, or make "
+                "particles.spacing larger");
+}
+
+/// Throws std::bad_alloc if there is not so much memory, and some more. HDF5 itself may crash where
+/// a small piece of memory is missing.
+void require_memory(std::size_t bytes) {
+  constexpr std::size_t more = 4 << 20;
+  void* volatile memory = ::operator new(bytes + more);
+  ::operator delete(memory);
 }
 
 /// Access to files that exist in memory only.
@@ -77,12 +91,21 @@ Hdf5Handle text_type(std::size_t size) {
 
 }  // namespace
 
-Hdf5Lock::Hdf5Lock() : lock_(library()) { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+Hdf5Lock::Hdf5Lock() : lock_(library()) {
+  require_memory(0);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+void start_hdf5() {
+  const Hdf5Lock lock;
+  require(H5open() >= 0);
+}
 
 Hdf5Writer::Hdf5Writer() : file_(create_file(), H5Fclose) {}
 
 void Hdf5Writer::write(const std::string& name, hid_t memory, hid_t stored, const void* values,
                        std::size_t count, std::size_t columns) {
+  require_memory(2 * sizeof(double) * count);  // the file in memory, and its growth
   const hsize_t extents[] = {count / columns, columns};
   const Hdf5Handle space(H5Screate_simple(columns > 1 ? 2 : 1, extents, nullptr), H5Sclose);
   require(space.good());

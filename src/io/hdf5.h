@@ -24,6 +24,10 @@ class Hdf5Lock {
   std::unique_lock<std::recursive_mutex> lock_;
 };
 
+/// Initialises the library: it crashes if memory runs out while it does so, which is unlikely at
+/// the start of a run. Throws Error (kind run) if it fails.
+void start_hdf5();
+
 /// An identifier of the library, closed by the destructor.
 class Hdf5Handle {
  public:

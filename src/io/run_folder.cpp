@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/run_folder.h"
 
+#include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -17,6 +20,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* manifest_name = "manifest.json";
+constexpr std::string_view running = "running";
+/// Written over `"running",` in a manifest, as many bytes.
+constexpr std::string_view failed_word = "\"failed\", ";
 
 /// Whether a name cannot leave the folder by itself. Links are another matter: see Folder.
 bool is_below(const fs::path& name) {
@@ -28,6 +34,11 @@ std::string digest_of(std::string_view bytes) {
   Sha256 sha;
   sha.add(bytes.data(), bytes.size());
   return sha.hex();
+}
+
+/// A JSON string; bytes that are not UTF-8 are replaced.
+std::string json_string(std::string_view text) {
+  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace
@@ -58,7 +69,7 @@ void RunFolder::take(Take how, const RunPlan& plan, Provenance provenance) {
   clear(old, how);
   for (const std::string& file : plan.files) folder().make_folder_of(file);
   for (const std::string& name : plan.folders) folder().make_folder_of(name + "/");
-  write_manifest("running", planned_);
+  write_manifest(running, planned_);
 }
 
 RunFolder::Manifest RunFolder::earlier_manifest(Take take) const {
@@ -132,7 +143,7 @@ void RunFolder::write(const std::string& file, std::string_view bytes) {
 void RunFolder::write_more(const std::string& file, std::string_view bytes) {
   refuse_files_of_others(file, taken_);
   folder().make_folder_of(file);
-  if (planned_.insert(file).second) write_manifest("running", planned_);
+  if (planned_.insert(file).second) write_manifest(running, planned_);
   write(file, bytes);
 }
 
@@ -185,27 +196,54 @@ void RunFolder::finish(std::string_view state) {
   write_manifest(state, there);
 }
 
-void RunFolder::write_manifest(std::string_view state, const std::set<std::string>& files) const {
-  Json list = Json::array();
+/// The text is put together without JSON values: destroying those takes memory, and the process
+/// ends where there is none.
+void RunFolder::write_manifest(std::string_view state, const std::set<std::string>& files) {
+  std::string text = "{\n";
+  const auto add = [&](const char* name, const std::string& value) {
+    text += fmt::format("  \"{}\": {},\n", name, value);
+  };
+  add("freshet", json_string(FRESHET_VERSION));
+  add("commit", json_string(FRESHET_COMMIT));
+  add("compiler", json_string(FRESHET_COMPILER));
+  add("isa", json_string(provenance_.isa));
+  add("threads", std::to_string(provenance_.threads));
+  add("backend", json_string(provenance_.backend));
+  std::string words;
+  for (const std::string& word : provenance_.command)
+    words += (words.empty() ? "\n    " : ",\n    ") + json_string(word);
+  add("command", words.empty() ? "[]" : "[" + words + "\n  ]");
+  const std::size_t state_at = text.size() + std::string_view("  \"state\": ").size();
+  add("state", json_string(state));
+  std::string list;
   for (const std::string& file : files) {
-    Json entry{{"file", file}};
-    if (const auto it = written_.find(file); it != written_.end()) {
-      entry["bytes"] = it->second.bytes;
-      entry["sha256"] = it->second.sha256;
-    }
-    list.push_back(entry);
+    list += (list.empty() ? "\n    {\n      \"file\": " : ",\n    {\n      \"file\": ") +
+            json_string(file);
+    if (const auto it = written_.find(file); it != written_.end())
+      list += fmt::format(",\n      \"bytes\": {},\n      \"sha256\": \"{}\"", it->second.bytes,
+                          it->second.sha256);
+    list += "\n    }";
   }
-  const Json manifest{{"freshet", FRESHET_VERSION},
-                      {"commit", FRESHET_COMMIT},
-                      {"compiler", FRESHET_COMPILER},
-                      {"isa", provenance_.isa},
-                      {"threads", provenance_.threads},
-                      {"backend", provenance_.backend},
-                      {"command", provenance_.command},
-                      {"state", state},
-                      {"files", list}};
-  folder().write(manifest_name,
-                 manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  text += "  \"files\": " + (list.empty() ? "[]" : "[" + list + "\n  ]") + "\n}\n";
+  folder().write(manifest_name, text);
+  running_at_ = state == running ? state_at : 0;
+}
+
+void RunFolder::mark_failed() noexcept {
+  if (running_at_ == 0) return;
+  const int fd = ::openat(folder().descriptor(), manifest_name, O_WRONLY | O_CLOEXEC | O_NOFOLLOW);
+  if (fd < 0) return;
+  if (::pwrite(fd, failed_word.data(), failed_word.size(), off_t(running_at_)) > 0) ::fsync(fd);
+  ::close(fd);
+}
+
+void RunFolder::fail() noexcept {
+  mark_failed();
+  try {
+    if (running_at_ != 0) finish("failed");
+  } catch (...) {  // a full disk, or no memory: the marked manifest stays
+    mark_failed();
+  }
 }
 
 }  // namespace freshet

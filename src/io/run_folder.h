@@ -67,6 +67,11 @@ class RunFolder {
   void remove(const std::string& file);
   /// Writes the final manifest: `state`, and the existing files with their sizes and digests.
   void finish(std::string_view state);
+  /// Makes the state "failed" in the manifest of a run that take() has begun, in place: that needs
+  /// neither memory nor room on the disk.
+  void mark_failed() noexcept;
+  /// Writes the final manifest of a run that failed, or marks it where that cannot be written.
+  void fail() noexcept;
   /// The state in the manifest of the earlier run; "running" if it was killed.
   const std::string& earlier_state() const { return earlier_state_; }
 
@@ -86,10 +91,11 @@ class RunFolder {
   void refuse_files_of_others(const std::string& file, Take take) const;
   [[noreturn]] void refuse(const std::string& name, Take take, const std::string& why) const;
   void clear(const Manifest& old, Take take);
-  void write_manifest(std::string_view state, const std::set<std::string>& files) const;
+  void write_manifest(std::string_view state, const std::set<std::string>& files);
 
   FolderLock lock_;
   Take taken_ = Take::empty;
+  std::size_t running_at_ = 0;  // where "running" begins in the manifest; 0: it has another state
   std::set<std::string> planned_;
   Provenance provenance_;
   std::map<std::string, Written> written_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <future>
+#include <system_error>
 
 #include "render/stage.h"
 #include "scene/sample/point_cloud.h"
@@ -144,7 +145,10 @@ template <class F> void share_out(int n, int threads, F f) {
     for (int k = next++; k < n; k = next++) f(k);
   };
   std::vector<std::future<void>> others;
-  for (int t = 1; t < threads; ++t) others.push_back(std::async(std::launch::async, work));
+  try {
+    for (int t = 1; t < threads; ++t) others.push_back(std::async(std::launch::async, work));
+  } catch (const std::system_error&) {  // no more can start: those that run do the work
+  }
   work();
   for (auto& other : others) other.get();
 }

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <memory>
+#include <new>
 
 #include "freshet/error.h"
 
@@ -16,6 +17,7 @@ static_assert(sizeof(Color) == 3, "pixels are handed over as packed RGB");
 using PngContext = std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)>;
 
 void require(int code) {
+  if (code == SPNG_EMEM || code == SPNG_EZLIB_INIT) throw std::bad_alloc();
   if (code != 0) throw Error(Error::Kind::run, "", std::string("PNG: ") + spng_strerror(code));
 }
 

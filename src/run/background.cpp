@@ -1,11 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "run/background.h"
 
+#include <system_error>
 #include <utility>
+
+#include "freshet/error.h"
 
 namespace freshet {
 
-Background::Background(std::size_t most) : most_(most), thread_([this] { work(); }) {}
+Background::Background(std::size_t most) : most_(most) {
+  try {
+    thread_ = std::thread([this] { work(); });
+  } catch (const std::system_error& e) {
+    throw Error(Error::Kind::run, "",
+                "the system does not start the thread that writes the files of a run (" +
+                    e.code().message() +
+                    "); raise the limit on processes (ulimit -u) or memory (ulimit -v)");
+  }
+}
 
 Background::~Background() {
   {

@@ -13,6 +13,7 @@ namespace freshet {
 /// `most` jobs wait: what they hold in memory is bounded, and a slow disk slows the simulation.
 class Background {
  public:
+  /// Throws Error (kind run) if the system does not start a thread.
   explicit Background(std::size_t most);
   /// Ends after the job that runs; those that wait are dropped.
   ~Background();
@@ -34,7 +35,7 @@ class Background {
   std::deque<std::function<void()>> jobs_;
   std::exception_ptr failure_;
   bool busy_ = false, ending_ = false;
-  std::thread thread_;  // last: it uses the others
+  std::thread thread_;
 };
 
 }  // namespace freshet

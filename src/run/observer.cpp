@@ -41,31 +41,52 @@ Observer::Observer(Simulation& sim, FolderLock lock, RunRecord record, Inputs in
       inputs_(std::move(inputs)),
       folder_(std::move(lock)),
       tables_(record_, folder_, background_),
-      outputs_(outputs_of({sim_, schedule_, record_, folder_, background_, tables_}, video)) {}
+      outputs_(outputs_of({sim_, schedule_, record_, folder_, background_, tables_}, video)) {
+  prepare_checkpoints();
+}
 
 Observer::Observer(Simulation& sim, const RunOptions& options)
     : Observer(sim, FolderLock::of_new(options.output), {}, inputs_of(sim.scene()), options.video) {
-  folder_.take(options.overwrite ? RunFolder::Take::overwrite : RunFolder::Take::empty, plan(),
-               provenance(sim.scene(), options.execution, options.command));
-  record_.scene_name = options.scene_name;
-  for (const auto& [name, bytes] : inputs_.files) folder_.write(name, bytes);
-  folder_.write("scene.toml", inputs_.source);
-  for (const auto& output : outputs_) output->start();
+  begin_or_fail([&] { begin(options); });
 }
 
 Observer::Observer(Simulation& sim, const ResumeOptions& options, FolderLock lock, RunRecord record)
     : Observer(sim, std::move(lock), std::move(record),
                {sim.scene().source, {}},  // the input files lie in the folder
                {}) {
+  begin_or_fail([&] { begin(options); });
+}
+
+/// An error while a run begins closes the manifest, if it is the run's by then.
+template <class Begin> void Observer::begin_or_fail(const Begin& begin) {
+  try {
+    begin();
+  } catch (...) {
+    come_to_rest();
+    folder_.fail();
+    throw;
+  }
+}
+
+void Observer::begin(const RunOptions& options) {
+  folder_.take(options.overwrite ? RunFolder::Take::overwrite : RunFolder::Take::empty, plan(),
+               provenance(sim_.scene(), options.execution, options.command));
+  record_.scene_name = options.scene_name;
+  for (const auto& [name, bytes] : inputs_.files) folder_.write(name, bytes);
+  folder_.write("scene.toml", inputs_.source);
+  for (const auto& output : outputs_) output->start();
+}
+
+void Observer::begin(const ResumeOptions& options) {
   folder_.take(RunFolder::Take::resume, plan(),
-               provenance(sim.scene(), options.execution, options.command));
-  before_ = sim.time();
-  saved_ = sim.steps_done();
+               provenance(sim_.scene(), options.execution, options.command));
+  before_ = sim_.time();
+  saved_ = sim_.steps_done();
   for (const auto& file : checkpoints_of(options.folder))
     checkpoints_.push_front(fmt::format("{}/{}", checkpoint_folder, file.filename().string()));
   folder_.write("scene.toml", inputs_.source);
   folder_.remove("report.json");
-  const bool prolonged = !sim.finished();
+  const bool prolonged = !sim_.finished();
   if (prolonged)
     for (auto& [name, series] : record_.series) series.times.resize(series.scheduled);
   const std::vector<Diagnostic> missing = tables_.resume(prolonged);
@@ -160,22 +181,31 @@ void Observer::finish(Report& report) {
 }
 
 std::string Observer::fail() {
+  const bool whole = come_to_rest();
+  folder_.mark_failed();  // first: what follows needs memory and room on the disk
   std::string message;
   try {
-    background_.wait();
-    folder_.write_more(failure_picture, encode_png(draw(sim_.scene(), sim_.frame())));
-    tables_.flush_now();
-    message = fmt::format("; {} shows the moment", (folder_.path() / failure_picture).string());
+    if (whole) {
+      folder_.write_more(failure_picture, encode_png(draw(sim_.scene(), sim_.frame())));
+      tables_.flush_now();
+      message = fmt::format("; {} shows the moment", (folder_.path() / failure_picture).string());
+    }
   } catch (const std::exception&) {  // a full disk, say: the first error is the one to report
   }
+  folder_.fail();
   if (!checkpoints_.empty())
     message += fmt::format("; the last good checkpoint is {}",
                            (folder_.path() / checkpoints_.back()).string());
-  try {
-    folder_.finish("failed");
-  } catch (const std::exception&) {
-  }
   return message;
+}
+
+bool Observer::come_to_rest() noexcept {
+  try {
+    background_.wait();
+  } catch (...) {  // a job failed, and none is done after it
+    return false;
+  }
+  return true;
 }
 
 }  // namespace freshet

@@ -40,6 +40,11 @@ class Observer {
   using Clock = std::chrono::steady_clock;
   Observer(Simulation& sim, FolderLock lock, RunRecord record, Inputs inputs,
            const std::optional<VideoOptions>& video);
+  template <class Begin> void begin_or_fail(const Begin& begin);
+  void begin(const RunOptions& options);
+  void begin(const ResumeOptions& options);
+  /// Waits for the background thread; false if a job failed.
+  bool come_to_rest() noexcept;
   RunPlan plan() const;
   void write(Output& output, const StepTaken& step);
   void remember_scheduled();

@@ -147,6 +147,7 @@ class Film {
 
 RenderReport render(const RenderOptions& options) {
   const auto start = std::chrono::steady_clock::now();
+  const int threads = thread_count(options.threads);
   const Scene scene = scene_of(options);
   const std::vector<FrameFile> frames = frame_files(options.run);
   if (frames.empty())
@@ -169,7 +170,7 @@ RenderReport render(const RenderOptions& options) {
                   fmt::format("this frame is in {}D and the run's scene in {}D; run it again",
                               frame.dimension, scene.dimension()));
     bodies.put_into(frame, file.path);
-    const Image image = draw(scene, frame, thread_count(options.threads));
+    const Image image = draw(scene, frame, threads);
     report.pictures.push_back(pictures.write(file, image));
     if (film) film->add(image, frame.time);
     report.interrupted =

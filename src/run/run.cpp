@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <new>
 
 #include "core/input_file.h"
 #include "io/video.h"
@@ -70,7 +71,13 @@ Report run_observed(Simulation& sim, Observer& observer, const AfterStep& after_
     return report;
   } catch (const Error& error) {
     rethrow(error, observer.fail());
-  } catch (...) {  // memory that ran out, say: the manifest has its last word all the same
+  } catch (const std::bad_alloc&) {
+    const std::string left = observer.fail();
+    throw Error(Error::Kind::run, "",
+                fmt::format("out of memory at step {}, {:.6g} s; make particles.spacing larger, or "
+                            "free memory for the run{}",
+                            sim.steps_done(), sim.time(), left));
+  } catch (...) {  // an exception of after_step, for example
     observer.fail();
     throw;
   }
@@ -149,6 +156,12 @@ Report resume(const ResumeOptions& options) {
                   "this changes what has been simulated; a run that goes on takes time.end and "
                   "the keys of output, picture, camera and checks; for another simulation, run "
                   "its scene.toml");
+  std::error_code ec;
+  if (!fs::is_directory(options.folder, ec))
+    throw Error(Error::Kind::scene, options.folder.string(),
+                fs::exists(options.folder, ec)
+                    ? "this is not a folder; name the folder of a run"
+                    : "there is no such folder, and no run to resume; name the folder of a run");
   FolderLock lock(options.folder);
   RunCheckpoint checkpoint = newest_checkpoint(options);
   // an earlier resume may have prolonged the run and been killed before its first checkpoint

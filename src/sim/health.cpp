@@ -132,8 +132,8 @@ void Health::look(const Moment& now, const ParticleView& fluid,
     record_.warnings[k].cannot_be_right =
         t.fatal || (t.lasting && 2 * t.steps > record_.steps_watched);
   }
-  last_ = now_;
-  last_moment_ = now;
+  record_.last_step = now.step;
+  record_.last_fastest = {now_.fastest.id, now_.fastest.x, now_.fastest.value};
 }
 
 void Health::look_for_lost(const Moment& now, const ParticleView& fluid) {
@@ -142,12 +142,7 @@ void Health::look_for_lost(const Moment& now, const ParticleView& fluid) {
   if (now_.lost) fail_for_lost();
 }
 
-void Health::go_on(const Moment& now, WatchRecord record) {
-  last_moment_ = now;
-  record_ = std::move(record);
-}
-
-std::int64_t Health::steps_since_last() const { return moment_.step - last_moment_.step; }
+std::int64_t Health::steps_since_last() const { return moment_.step - record_.last_step; }
 
 template <class Message>
 void Health::judge(const Rule& rule, double value, std::int64_t steps, Message message) {
@@ -183,7 +178,7 @@ void Health::judge_step(const TimeStepBounds& bounds) {
     return fmt::format(
         "time.step, {:.4g} s, is {:.3g} times the longest that is safe now, {:.4g} s (by the bound "
         "of {}), {}; {}; the run may blow up; make time.step smaller",
-        moment_.dt, over, bounds.least(), bounds.ruling(), when(), fastest(now_));
+        moment_.dt, over, bounds.least(), bounds.ruling(), when(), fastest(now_.fastest));
   });
 }
 
@@ -220,13 +215,13 @@ void Health::judge_speed() {
     return fmt::format(
         "the particles move at {:.3g} m/s (root mean square about their mean velocity), {:.3g} "
         "times the speed of {}, {}; {}; {}",
-        now_.agitation, times_reference(now_.agitation), reference(), when(), fastest(now_),
+        now_.agitation, times_reference(now_.agitation), reference(), when(), fastest(now_.fastest),
         cause(too_soft(now_.fastest.value)));
   });
   judge(one, now_.fastest.value / sound, [&] {
     return fmt::format("a particle is {:.3g} times as fast as {}, {}; {}; {}",
-                       times_reference(now_.fastest.value), reference(), when(), fastest(now_),
-                       cause(came_too_close()));
+                       times_reference(now_.fastest.value), reference(), when(),
+                       fastest(now_.fastest), cause(came_too_close()));
   });
 }
 
@@ -241,7 +236,7 @@ void Health::judge_energy() {
     return fmt::format(
         "{:.4g} J/kg of energy came from nowhere, {:.3g} times what could become motion, {}; {}; "
         "{}",
-        made, share, when(), fastest(now_),
+        made, share, when(), fastest(now_.fastest),
         cause(linear ? "the scheme of mueller2003 does not keep energy where little viscosity "
                        "takes it up; make fluid.viscosity larger, or choose wcsph or delta_sph as "
                        "solver.name"
@@ -278,9 +273,7 @@ double Health::energy_available() const {
 
 void Health::fail_for_lost() const {
   const Witness& lost = *now_.lost;
-  const std::string before =
-      last_moment_.step == 0 ? ""
-                             : fmt::format(" (at step {} {})", last_moment_.step, fastest(last_));
+  const std::string before = record_.last_step == 0 ? "" : fmt::format(" ({})", last_fastest());
   throw Error(Error::Kind::run, "",
               fmt::format("particle {} is {}, at {}, {}{}; {}", lost.id,
                           lost.value > 0 ? "no number any more" : "lost", place(lost), when(),
@@ -303,8 +296,7 @@ void Health::fail_for_step(const Moment& now, const TimeStepBounds& bounds) cons
                       : bound == "surface tension" ? "fluid.surface_tension"
                       : weakly                     ? "solver.sound_speed"
                                                    : "solver.stiffness");
-  else if (last_moment_.step > 0)
-    why = fmt::format("at step {} {}; {}", last_moment_.step, fastest(last_), why);
+  else if (record_.last_step > 0) why = fmt::format("{}; {}", last_fastest(), why);
   throw Error(Error::Kind::run, "",
               fmt::format("the time step fell to {:.3g} s, by the bound of {}, at step {}, {:.6g} "
                           "s; {}",

@@ -2,12 +2,13 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "freshet/checkpoint.h"
 #include "freshet/derived.h"
 #include "freshet/report.h"
 #include "freshet/simulation.h"
-#include "freshet/checkpoint.h"
 #include "sim/look.h"
 
 namespace freshet {
@@ -54,7 +55,7 @@ class Health {
   const std::vector<Warning>& warnings() const { return record_.warnings; }
   const WatchRecord& record() const { return record_; }
   /// Goes on where the watch of a checkpoint ended.
-  void go_on(const Moment& now, WatchRecord record);
+  void go_on(WatchRecord record) { record_ = std::move(record); }
 
  private:
   static constexpr double step_reserve = 1.25;  ///< a fixed step may be so much over its bound
@@ -81,7 +82,8 @@ class Health {
   double reference_speed() const;
   std::string when() const;
   std::string place(const Witness& particle) const;
-  std::string fastest(const Look& look) const;
+  std::string fastest(const Witness& particle) const;
+  std::string last_fastest() const;
   const char* reference() const;
   double times_reference(double speed) const;
   std::string too_soft(double speed) const;
@@ -95,8 +97,8 @@ class Health {
   std::function<Look(const ParticleView&)> look_at_;
   double start_speed_ = 0;                         // the fastest at the start [m/s]
   double start_energy_ = 0, start_available_ = 0;  // of a mean particle [J/kg]
-  Look last_, now_;
-  Moment last_moment_, moment_;
+  Look now_;
+  Moment moment_;
   bool intervened_ = false;
   WatchRecord record_;
 };

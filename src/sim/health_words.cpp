@@ -25,9 +25,14 @@ std::string Health::place(const Witness& particle) const {
                                  : fmt::format("({:.4g}, {:.4g}, {:.4g})", x[0], x[1], x[2]);
 }
 
-std::string Health::fastest(const Look& look) const {
-  return fmt::format("the fastest, particle {} at {}, has {:.3g} m/s", look.fastest.id,
-                     place(look.fastest), look.fastest.value);
+std::string Health::fastest(const Witness& particle) const {
+  return fmt::format("the fastest, particle {} at {}, has {:.3g} m/s", particle.id, place(particle),
+                     particle.value);
+}
+
+std::string Health::last_fastest() const {
+  const WatchRecord::Particle& p = record_.last_fastest;
+  return fmt::format("at step {} {}", record_.last_step, fastest({p.id, p.x, p.value}));
 }
 
 /// What speeds are compared with. Without sound a tenth of the nominal one: see Derived.

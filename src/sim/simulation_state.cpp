@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <new>
 #include <numeric>
 #include <span>
 
@@ -133,11 +134,14 @@ class Simulation::Impl::Resized {
   }
   ~Resized() {
     if (before_.empty()) return;
-    engine_.resize(n_);
-    std::size_t k = 0;
-    for (const StateArray& a : engine_.state()) {
-      std::copy(before_[k].begin(), before_[k].end(), a.data);
-      ++k;
+    try {
+      engine_.resize(n_);
+      std::size_t k = 0;
+      for (const StateArray& a : engine_.state()) {
+        std::copy(before_[k].begin(), before_[k].end(), a.data);
+        ++k;
+      }
+    } catch (const std::bad_alloc&) {  // the error that brought us here is the one to report
     }
   }
   void keep() { before_.clear(); }
@@ -202,7 +206,7 @@ void Simulation::restore(const Checkpoint& c) {
   impl_->engine->continue_from(c.steps);
   impl_->steps = c.steps;
   impl_->time = c.time;
-  impl_->health->go_on({c.steps, c.time, c.time_steps.last}, c.watch);
+  impl_->health->go_on(c.watch);
   impl_->edited = c.edited;
   impl_->time_steps = c.time_steps;
   impl_->solves = c.solves;

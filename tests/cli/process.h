@@ -28,9 +28,23 @@ struct ProcessOptions {
   double seconds = 60;                           ///< time limit; the process is killed after it [s]
   int signal = 0;                                ///< sent once `signal_after` was read from stdout
   std::string signal_after = {};
-  bool close_stdout_early = false;  ///< close the reading end after the first bytes
-  std::string stdout_file = {};     ///< instead of a pipe
+  bool close_stdout_early = false;                 ///< close the reading end after the first bytes
+  std::string stdout_file = {};                    ///< instead of a pipe
+  std::string stderr_file = {};                    ///< instead of a pipe
+  bool close_stderr_early = false;                 ///< close the reading end after the first bytes
+  std::vector<int> closed = {};                    ///< descriptors that the process starts without
+  std::optional<std::uint64_t> memory_limit = {};  ///< RLIMIT_AS [B]
 };
+
+/// Whether the program is built with a sanitizer, which takes terabytes of address space.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool sanitized = true;
+#elif defined(__has_feature)
+inline constexpr bool sanitized =
+    __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+inline constexpr bool sanitized = false;
+#endif
 
 struct ProcessResult {
   int code = -1;     ///< exit code; -1 if a signal ended the process
@@ -50,6 +64,7 @@ inline double now() {
   setpgid(0, 0);  // a kill of the group reaches its children
   const int null = open("/dev/null", O_RDONLY);
   if (!o.stdout_file.empty()) out = open(o.stdout_file.c_str(), O_WRONLY);
+  if (!o.stderr_file.empty()) err = open(o.stderr_file.c_str(), O_WRONLY);
   if (dup2(null, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0) _exit(126);
   if (chdir(o.directory.c_str()) != 0) _exit(126);
   for (const std::string& variable : o.environment) {
@@ -62,6 +77,11 @@ inline double now() {
   }
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
+  for (const int fd : o.closed) close(fd);
+  if (o.memory_limit) {
+    const rlimit limit{*o.memory_limit, *o.memory_limit};
+    setrlimit(RLIMIT_AS, &limit);
+  }
   execvp(argv[0], argv.data());
   _exit(127);
 }
@@ -126,7 +146,8 @@ inline void Process::consume(int& fd, std::string& text, bool is_stdout) {
   std::array<char, 65536> buffer;
   const ssize_t n = read(fd, buffer.data(), buffer.size());
   if (n > 0) text.append(buffer.data(), std::size_t(n));
-  if (n <= 0 || (is_stdout && options_.close_stdout_early)) close(std::exchange(fd, -1));
+  const bool early = is_stdout ? options_.close_stdout_early : options_.close_stderr_early;
+  if (n <= 0 || early) close(std::exchange(fd, -1));
   if (is_stdout && options_.signal != 0 && text.find(options_.signal_after) != std::string::npos) {
     send(options_.signal);
     options_.signal = 0;

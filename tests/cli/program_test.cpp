@@ -269,7 +269,9 @@ TEST(Bench, RejectsWrongComparisons) {
   EXPECT_TRUE(contains(usage_error({"bench", article, "--compare", "=a,b"}), "KEY=A,B"));
   EXPECT_TRUE(contains(usage_error({"bench", article, "--compare", "solver.search=grid,fast"}),
                        "--set solver.search: error: "));
-  EXPECT_TRUE(contains(usage_error({"bench", article, "--particles", "0"}), "--particles"));
+  for (const char* wrong : {"0", "-5", "nan", "-nan", "inf", "many"})
+    EXPECT_TRUE(contains(usage_error({"bench", article, "--particles", wrong}), "--particles"))
+        << wrong;
   EXPECT_TRUE(contains(usage_error({"bench", article, "--markdown"}), "--compare"));
   EXPECT_TRUE(contains(usage_error({"bench", article, "--compare", "solver.search=grid,all_pairs",
                                     "--markdown", "--json"}),

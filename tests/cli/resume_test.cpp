@@ -101,7 +101,7 @@ TEST_F(Resume, GivesTheSameRunAfterAKillAtAnyMoment) {
     if (fs::exists(folder / name / "report.json")) continue;  // the run had ended
     const auto r = resume(name);
     if (checkpoints(name).empty()) {
-      EXPECT_EQ(r.code, fs::exists(folder / name) ? 2 : 1) << r.err;
+      EXPECT_EQ(r.code, 2) << r.err;
       continue;
     }
     ++resumed;
@@ -321,8 +321,13 @@ TEST_F(Resume, RejectsAFolderWithoutARun) {
   EXPECT_EQ(none.code, 2);
   EXPECT_TRUE(contains(none.err, "this folder holds no run")) << none.err;
   const auto nowhere = resume("nowhere");
-  EXPECT_EQ(nowhere.code, 1);
-  EXPECT_TRUE(contains(nowhere.err, "cannot open this folder")) << nowhere.err;
+  EXPECT_EQ(nowhere.code, 2);
+  EXPECT_TRUE(contains(nowhere.err, "/nowhere: error: there is no such folder")) << nowhere.err;
+  EXPECT_FALSE(contains(nowhere.err, "--output")) << nowhere.err;
+  EXPECT_FALSE(fs::exists(folder / "nowhere"));
+  const auto file = resume("scene.toml");
+  EXPECT_EQ(file.code, 2);
+  EXPECT_TRUE(contains(file.err, "not a folder")) << file.err;
 }
 
 TEST_F(Resume, RejectsChangesOfTheSimulation) {
@@ -364,6 +369,15 @@ TEST_F(Resume, ContinuesAfterAFullDisk) {
   ASSERT_EQ(again.code, 0) << again.err;
   EXPECT_EQ(report_of(folder / "full").at("state_sha256"),
             report_of(folder / "whole").at("state_sha256"));
+}
+
+// HDF5 refuses to open a file in memory if the working directory has a file of its name.
+TEST_F(Resume, IsIndependentOfFilesInTheWorkingDirectory) {
+  write_text(folder / "freshet", "the name of the program");
+  ASSERT_EQ(freshet(arguments("run", {"--set", "time.end=0.02"})).code, 0);
+  const auto r = freshet({"resume", (folder / "run").string(), "--set", "time.end=0.03"},
+                         {.directory = folder.path()});
+  EXPECT_EQ(r.code, 0) << r.err;
 }
 
 TEST_F(Resume, NeedsNoFileOutsideTheRunFolder) {

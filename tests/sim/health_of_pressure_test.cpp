@@ -66,7 +66,7 @@ TEST(HealthOfPressureSolvers, CountsNoSolveTwiceAfterARestart) {
   pool.look(10);
   Checkpoint before;
   before.watch = pool.record();
-  pool.go_on(10, decode_checkpoint(encode_checkpoint(before), "step.h5").watch);
+  pool.go_on(decode_checkpoint(encode_checkpoint(before), "step.h5").watch);
   pool.look(20);
   EXPECT_EQ(1, pool.warning().looks);
   fail(pool.solves[0], 1, 0.01);

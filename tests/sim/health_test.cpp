@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "io/checkpoint.h"
 #include "sim/pool.h"
 
 namespace freshet::test {
@@ -38,6 +39,28 @@ TEST(Health, NanEndsTheRunEvenIfWhenWrongIsWarn) {
           << failure;
     }
   }
+}
+
+TEST(Health, NamesTheFastestOfTheLastCheckAfterARestart) {
+  Pool pool;
+  pool.v[2 * 42] = 25;
+  pool.look(10);
+  Checkpoint checkpoint;
+  checkpoint.watch = pool.record();
+  pool.x[0] = Real(15.2);
+  const std::string whole = pool.failure(20);
+  EXPECT_TRUE(contains(whole, "(at step 10 the fastest, particle 42 at (")) << whole;
+  pool.go_on(decode_checkpoint(encode_checkpoint(checkpoint), "step.h5").watch);
+  EXPECT_EQ(whole, pool.failure(20));
+}
+
+TEST(Health, CountsTheSameStepsAfterARestart) {
+  Pool whole, resumed;
+  for (Pool* pool : {&whole, &resumed}) pool->look(100);
+  resumed.go_on(resumed.record());  // at step 150, say, between two checks
+  for (Pool* pool : {&whole, &resumed}) pool->look(200);
+  EXPECT_EQ(200, whole.record().steps_watched);
+  EXPECT_EQ(200, resumed.record().steps_watched);
 }
 
 TEST(Health, ParticleFarBeyondAWallEndsTheRun) {

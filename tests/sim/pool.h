@@ -67,10 +67,10 @@ class Pool {
     }
   }
   const WatchRecord& record() const { return health_->record(); }
-  /// Resumes after this step, as a restart does.
-  void go_on(std::int64_t step, const WatchRecord& record) {
+  /// Resumes with the record of a checkpoint, as a restart does.
+  void go_on(const WatchRecord& record) {
     health_ = std::make_unique<Health>(scene_, derived_, view());
-    health_->go_on({step, double(step) * 0.0005, 0.0005}, record);
+    health_->go_on(record);
   }
   const std::vector<Warning>& warnings() const { return health_->warnings(); }
   /// Expects exactly one warning and returns it.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
-#include <cstdlib>
 #include <memory>
 #include <new>
 #include <utility>
@@ -9,15 +8,17 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Memory that only grows, aligned to cache lines. Growing discards the contents.
+/// Memory that only grows, aligned to cache lines. Growing discards the contents. The buffer is
+/// empty after reserve() threw std::bad_alloc.
 template <class T> class Buffer {
  public:
   T* reserve(std::size_t n) {
     if (n > size_) {
-      size_ = n + n / 8;
+      const std::size_t size = n + n / 8, bytes = (size * sizeof(T) + 127) / 64 * 64;
       data_.reset();
-      data_.reset(static_cast<T*>(std::aligned_alloc(64, (size_ * sizeof(T) + 127) / 64 * 64)));
-      if (!data_) throw std::bad_alloc();
+      size_ = 0;  // stays, if memory runs out
+      data_.reset(static_cast<T*>(::operator new(bytes, alignment)));
+      size_ = size;
     }
     return data_.get();
   }
@@ -25,8 +26,9 @@ template <class T> class Buffer {
   std::size_t size() const { return size_; }
 
  private:
+  static constexpr std::align_val_t alignment{64};
   struct Free {
-    void operator()(T* p) const { std::free(p); }
+    void operator()(T* p) const { ::operator delete(p, alignment); }
   };
   std::unique_ptr<T, Free> data_;
   std::size_t size_ = 0;

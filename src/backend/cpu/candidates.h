@@ -171,9 +171,9 @@ template <int D> class Candidates {
     const auto room = std::size_t(count_ + more + 2 * lanes);
     if (index_.size() >= room) return;
     for (Buffer<Real>& x : x_) grow(x, room);
-    grow(index_, room);
-    mask_.reserve(index_.size());
-    place_.reserve(index_.size());
+    mask_.reserve(x_[0].size());
+    place_.reserve(x_[0].size());
+    grow(index_, room);  // last: its size means that all have room
   }
   template <class T> void grow(Buffer<T>& buffer, std::size_t room) const {
     Buffer<T> larger;

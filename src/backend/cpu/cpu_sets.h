@@ -84,7 +84,9 @@ template <int D> class CpuSets {
   void share_field(const Particles<D>& p, Field<int> field);
   void share_field(const Particles<D>& p, Field<Vec<D>> field);
   template <class T> void share_blocks(const Particles<D>& p, Field<T> field);
-  void reserve(const Set& set, Memory& m);
+  /// Of a field, for `room` particles and their copies.
+  static std::size_t bytes_for(int room, const Set& set, const Memory& m);
+  void grow(Memory& m, int n, std::size_t bytes);
   void clear(Memory& m, int begin, int end);
   void sort(Real h, const Particles<D>& p);
   void sort_if_needed(Real h, const Particles<D>& p);

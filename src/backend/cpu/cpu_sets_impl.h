@@ -24,13 +24,23 @@ void CpuSets<D>::add_set(Particles<D>& set, int n, typename Copies<D>::Rules rul
 template <int D> void CpuSets<D>::add_field(const Particles<D>& set, FieldOfSet field) {
   Memory& m = of(set).memory.emplace_back();
   m.field = field;
-  reserve(of(set), m);
+  m.field.point(m.field.field, m.data.reserve(bytes_for(of(set).room, of(set), m)));
   clear(m, 0, set.n + lanes);
 }
 
-template <int D> void CpuSets<D>::reserve(const Set& set, Memory& m) {
-  const std::size_t room = std::size_t(set.room) * std::size_t(set.copies.room()) + lanes;
-  m.field.point(m.field.field, m.data.reserve(room * m.field.bytes));
+template <int D> std::size_t CpuSets<D>::bytes_for(int room, const Set& set, const Memory& m) {
+  return (std::size_t(room) * std::size_t(set.copies.room()) + lanes) * m.field.bytes;
+}
+/// Moves the first n values of a field to larger memory.
+template <int D> void CpuSets<D>::grow(Memory& m, int n, std::size_t bytes) {
+  Buffer<std::byte> larger;
+  larger.reserve(bytes);
+  threads_.blocks(n, [&](int b, int e) {
+    const std::size_t first = std::size_t(b) * m.field.bytes;
+    std::memcpy(larger.get() + first, m.data.get() + first, std::size_t(e - b) * m.field.bytes);
+  });
+  m.data = std::move(larger);
+  m.field.point(m.field.field, m.data.get());
 }
 /// Zeroes a range in parallel, so that each thread first touches the pages that it will use.
 template <int D> void CpuSets<D>::clear(Memory& m, int begin, int end) {
@@ -59,18 +69,14 @@ void CpuSets<D>::edit(const char* name, Particles<D>& p, std::span<const int> go
   const auto timer = timings_.time(name, p.n);
   Set& set = of(p);
   const int left = p.n - int(gone.size()), n = left + more;
-  const bool grows = n > set.room;
-  set.room = roomier(n, set.room);
+  // All memory grows before anything changes, so that the fluid stays whole if memory runs out.
+  if (n > set.room) {
+    const int room = roomier(n, set.room);
+    for (Memory& m : set.memory) grow(m, p.n, bytes_for(room, set, m));
+    set.room = room;
+  }
   for (Memory& m : set.memory) {
     fill_gaps(m.data.get(), m.field.bytes, gone, p.n);
-    if (grows) {
-      const Buffer<std::byte> before = std::exchange(m.data, {});
-      reserve(set, m);
-      threads_.blocks(left, [&](int b, int e) {
-        const std::size_t first = std::size_t(b) * m.field.bytes;
-        std::memcpy(m.data.get() + first, before.get() + first, std::size_t(e - b) * m.field.bytes);
-      });
-    }
     clear(m, left, n + lanes);
   }
   p.n = n;

@@ -7,13 +7,14 @@ namespace freshet {
 /// Runs loops on a fixed number of threads. The result of a loop must not depend on their number.
 class Threads {
  public:
-  explicit Threads(int count) : count_(count) {}
+  /// Throws Error (kind run) if the system does not start so many threads.
+  explicit Threads(int count);
   int count() const { return count_; }
   /// The index of the calling thread within a loop, 0 to count - 1.
   static int current();
 
-  /// Calls f(part) for part = 0 ... parts - 1, each on some thread. If parts throw, one of the
-  /// exceptions is rethrown at the end.
+  /// Calls f(part) for part = 0 ... parts - 1, each on some thread. After an
+  /// exception the parts that have not begun are skipped, and it is rethrown at the end.
   template <class F> void parts(int parts, const F& f) const {
     run(parts, &f, [](const void* context, int part) { (*static_cast<const F*>(context))(part); });
   }

@@ -73,6 +73,7 @@ template <int D> class ReferenceSets {
   };
   void add_field(const Particles<D>& set, FieldOfSet field);
   std::unique_ptr<std::byte[]> room_for(int particles, const Memory& m) const;
+  void grow(Memory& m, int n, int room);
   void search(const char* name, Real support_radius, Particles<D>& moving,
               std::initializer_list<const Particles<D>*> fixed);
   void remember_positions(const Particles<D>& p);

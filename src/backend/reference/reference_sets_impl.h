@@ -35,6 +35,14 @@ std::unique_ptr<std::byte[]> ReferenceSets<D>::room_for(int particles, const Mem
   return std::make_unique<std::byte[]>(std::size_t(particles) * each);
 }
 
+/// Moves the first n values of a field to memory for `room` particles.
+template <int D> void ReferenceSets<D>::grow(Memory& m, int n, int room) {
+  auto larger = room_for(room, m);
+  std::copy_n(m.data.get(), std::size_t(n) * m.field.bytes, larger.get());
+  m.data = std::move(larger);
+  m.field.point(m.field.field, m.data.get());
+}
+
 template <int D> void ReferenceSets<D>::save(const char* name, const Particles<D>& p) {
   const auto timer = timings_.time(name, p.n);
   for (Memory& m : memory_)
@@ -54,18 +62,17 @@ void ReferenceSets<D>::edit(const char* name, Particles<D>& p, std::span<const i
   const auto timer = timings_.time(name, p.n);
   const int left = p.n - int(gone.size()), n = left + more;
   int& room = room_[std::size_t(p.set)];
-  const bool grows = n > room;
-  room = roomier(n, room);
+  // All memory grows before anything changes, so that the fluid stays whole if memory runs out.
+  if (n > room) {
+    const int more_room = roomier(n, room);
+    for (Memory& m : memory_)
+      if (m.set == p.set) grow(m, p.n, more_room);
+    room = more_room;
+  }
   for (Memory& m : memory_) {
     if (m.set != p.set) continue;
     const std::size_t bytes = m.field.bytes;
     close_gaps(m.data.get(), bytes, gone, p.n);
-    if (grows) {
-      auto larger = room_for(room, m);
-      std::copy_n(m.data.get(), std::size_t(left) * bytes, larger.get());
-      m.data = std::move(larger);
-      m.field.point(m.field.field, m.data.get());
-    }
     std::fill_n(m.data.get() + std::size_t(left) * bytes, std::size_t(more) * bytes, std::byte(0));
   }
   p.n = n;
