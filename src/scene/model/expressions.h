@@ -24,6 +24,8 @@ class Expressions {
   bool empty() const;
   /// Whether x, y or z stands in one of them.
   bool depends_on_place() const;
+  /// Whether one of them contains t.
+  bool depends_on_time() const;
   /// Their values, as many as there are functions. Not for two threads at once.
   void operator()(const double (&x)[3], double t, double* values);
 
@@ -32,5 +34,11 @@ class Expressions {
   struct Parsers;
   std::unique_ptr<Parsers> parsers_;
 };
+
+/// The error of the first of these values of functions that is NaN, or infinite as a Real, at a
+/// finite place. The functions of `key` have no time if `t` is empty.
+std::optional<std::string> not_finite(const std::vector<std::string>& functions,
+                                      const std::string& key, const double (&x)[3],
+                                      std::optional<double> t, const double* values);
 
 }  // namespace freshet
