@@ -120,6 +120,12 @@ void check_velocity_field(const Scene& s, const Scene::Fluid& f, const std::stri
                                  f.velocity_field.size(), s.dimension(), s.dimension()));
   if (const auto fault = fault_in(f.velocity_field))
     out.error(at + "velocity_field", "fluid.velocity_field " + *fault);
+  else if (Expressions(f.velocity_field).depends_on_time())
+    out.error(
+        at + "velocity_field",
+        fmt::format("fluid.velocity_field depends on t, and it is evaluated at the start only; "
+                    "make it a function of {}",
+                    s.dimension() == 3 ? "x, y and z" : "x and y"));
   else out.unused(at + "velocity", "fluid.velocity", "fluid.velocity_field gives it; remove one");
 }
 
