@@ -4,13 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <numbers>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
+#include "core/table_text.h"
 #include "scene/model/expressions.h"
 
 namespace freshet {
@@ -19,27 +20,12 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr double little = 1e-4;  // [s]: between the places that a rate is taken from
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r\"");
-  if (first == text.npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
-}
-
-std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (std::size_t at = 0; at <= line.size();) {
-    const std::size_t comma = std::min(line.find(',', at), line.size());
-    cells.push_back(trimmed(line.substr(at, comma - at)));
-    at = comma + 1;
-  }
-  return cells;
-}
-
 /// The column's place among time, x, y, z and angle, whatever unit stands behind the name.
 std::optional<std::size_t> column_of(std::string_view name) {
   static constexpr std::string_view names[] = {"time", "x", "y", "z", "angle"};
-  name = trimmed(name.substr(0, name.find('[')));
-  const auto* it = std::find(std::begin(names), std::end(names), name);
+  const std::string plain = plain_name(name);
+  if (plain == "t") return 0;
+  const auto* it = std::find(std::begin(names), std::end(names), plain);
   if (it == std::end(names)) return {};
   return std::size_t(it - names);
 }
@@ -51,13 +37,18 @@ class PathReader {
 
   std::vector<Scene::Body::Key> read() {
     std::ifstream in(file_, std::ios::binary);
-    if (!in) fail("cannot be read; check the path and its permissions");
-    std::string line;
-    while (std::getline(in, line)) {
-      ++line_;
-      if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
-      if (columns_.empty()) read_header(line);
-      else read_row(line);
+    std::ostringstream text;
+    if (!in || !(text << in.rdbuf() || in.peek() == std::ifstream::traits_type::eof()))
+      fail("cannot be read; check the path and its permissions");
+    const std::string bytes = std::move(text).str();
+    TableText table(bytes);
+    line_ = table.line();
+    auto row = table.next();
+    if (!table.names().empty()) read_names(table.names());
+    else if (!row.empty()) columns_without_names(row.size());
+    for (; !row.empty(); row = table.next()) {
+      line_ = table.line();
+      read_row(row, table);
       if (keys_.size() > 1000000) fail("holds more than a million key frames; thin it out");
     }
     if (keys_.size() < 2) fail("holds fewer than two key frames; give one a line");
@@ -70,8 +61,8 @@ class PathReader {
     throw Error(Error::Kind::scene,
                 whole && line_ == 0 ? file_ : fmt::format("{}:{}", file_, line_), why);
   }
-  void read_header(const std::string& line) {
-    for (const std::string_view cell : cells_of(line)) {
+  void read_names(const std::vector<std::string_view>& names) {
+    for (const std::string_view cell : names) {
       const auto column = column_of(cell);
       if (!column || (*column == 3 && dimension_ == 2))
         fail(
@@ -83,17 +74,24 @@ class PathReader {
     if (std::find(columns_.begin(), columns_.end(), 0u) == columns_.end())
       fail("the first line names no column time; name the columns there, time among them");
   }
-  void read_row(const std::string& line) {
-    const auto cells = cells_of(line);
+  /// The columns of a file that begins with numbers.
+  void columns_without_names(std::size_t count) {
+    if (count != dimension_ + 1 && count != dimension_ + 2)
+      fail(fmt::format(
+          "the first line has {} number{} and no names; name the columns there, such as "
+          "time,x,angle",
+          count, count == 1 ? "" : "s"));
+    for (std::size_t k = 0; k <= dimension_; ++k) columns_.push_back(k);
+    if (count == dimension_ + 2) columns_.push_back(4);
+  }
+  void read_row(const std::vector<std::string_view>& cells, const TableText& table) {
     if (cells.size() != columns_.size())
       fail(fmt::format("this line has {} numbers, and the first names {} columns; give as many",
                        cells.size(), columns_.size()));
     double value[5] = {};
     for (std::size_t k = 0; k < cells.size(); ++k) {
-      double& v = value[columns_[k]];
-      const auto [end, error] =
-          std::from_chars(cells[k].data(), cells[k].data() + cells[k].size(), v);
-      if (error != std::errc() || end != cells[k].data() + cells[k].size() || !std::isfinite(v))
+      const double v = value[columns_[k]] = table.number(cells[k]).value_or(NAN);
+      if (!std::isfinite(v))
         fail(fmt::format("\"{}\" is no number; write numbers like 0.5 or 1e-3", cells[k]));
     }
     if (!keys_.empty() && !(value[0] > keys_.back().time))
@@ -104,7 +102,7 @@ class PathReader {
 
   std::string file_;
   std::size_t dimension_;
-  std::int64_t line_ = 0;
+  std::size_t line_ = 0;
   std::vector<std::size_t> columns_;
   std::vector<Scene::Body::Key> keys_;
 };

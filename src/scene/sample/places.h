@@ -81,6 +81,7 @@ template <int D> class Places {
   std::vector<RegionSurface<D>> walls_;
   std::vector<Vec<D, double>> shifts_;
   std::vector<InletZone<D>> zones_;  // that inlets fill
+  double margin_;                    // from walls, bodies and zones [m]
   Vector low_, high_;                // of the domain, where its sides hold the fluid
   PointGrid<D> wall_points_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace freshet {
 struct PointCloud {
   std::vector<double> x;
   std::vector<double> v;  ///< velocities; empty where the file has none
+  std::vector<std::string> unused;  ///< names of the columns that are not read
 };
 
 /// Reads the vertices of a PLY file (x, y, z and perhaps vx, vy, vz), the points of a VTP file
