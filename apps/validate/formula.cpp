@@ -6,6 +6,7 @@
 #include <cctype>
 #include <numbers>
 
+#include "core/formula_text.h"
 #include "freshet/error.h"
 
 #ifdef FRESHET_MUPARSER
@@ -29,6 +30,10 @@ std::string variable_of(const std::string& column) {
 
 std::vector<double> evaluate(const std::string& formula, const Table& table,
                              const std::string& place) {
+  const auto fail = [&](const std::string& why) {
+    throw Error(Error::Kind::scene, place, "the formula " + why);
+  };
+  if (const std::string why = formula_error(formula); !why.empty()) fail(why);
   mu::Parser parser;
   parser.DefineConst("pi", std::numbers::pi);
   std::vector<const Column*> columns;
@@ -45,13 +50,15 @@ std::vector<double> evaluate(const std::string& formula, const Table& table,
     parser.SetExpr(formula);
     for (std::size_t i = 0; i < table.rows; ++i) {
       for (std::size_t k = 0; k < columns.size(); ++k) row[k] = columns[k]->numbers[i];
-      values.push_back(parser.Eval());
+      int count = 0;
+      values.push_back(*parser.Eval(count));
+      if (count != 1) fail(values_error(formula, count));
     }
   } catch (const mu::Parser::exception_type& e) {
     throw Error(Error::Kind::scene, place,
-                fmt::format("cannot parse the formula \"{}\": {}; it may use {}, pi and the usual "
+                fmt::format("cannot parse the formula {}: {}; it may use {}, pi and the usual "
                             "functions",
-                            formula, e.GetMsg(), names));
+                            quoted_formula(formula), shortened(e.GetMsg(), 160), names));
   }
   return values;
 }

@@ -24,8 +24,10 @@ class PointSink : public FilePlace {
 
   /// Receives the name of the column with the index `place`.
   virtual void name(const std::string& column, std::size_t place) = 0;
+  /// Receives the name of an array that the parser does not read.
+  virtual void skip(const std::string&) {}
   /// Called after the last name. Throws if a required column is missing.
-  virtual void check() const {}
+  virtual void check() {}
   /// Whether the column is read; the values of other columns are not checked.
   virtual bool reads(std::size_t place) const = 0;
   /// Receives one point, one value per column.
@@ -37,12 +39,12 @@ class PointSink : public FilePlace {
 /// Reads the vertices of a PLY file [Turk 1994]: ascii, or binary of either byte order. Comments of
 /// a word and a number are notes.
 void read_ply(std::string_view bytes, PointSink& sink);
-/// Reads the lines of a CSV file. The first line has the names of the columns: x, or "Points:0" as
-/// in ParaView.
+/// Reads the lines of a CSV file: columns between commas, semicolons, tabs or spaces, after a line
+/// with their names (see TableText and point_column).
 void read_csv(std::string_view bytes, PointSink& sink);
 /// Reads the points of a VTK XML file of PolyData: ascii, base64 or raw, inline or appended, plain
-/// or compressed by zlib. Columns are x, y, z; vx, vy, vz of an array "velocity", "Velocity" or
-/// "v"; density, pressure and id of arrays of one component. Field data are notes.
+/// or compressed by zlib. Columns are x, y, z; vx, vy, vz of an array "velocity", "vel", "u" or
+/// "v", capital or not; density, pressure and id of arrays of one component. Field data are notes.
 void read_vtp(std::string_view bytes, PointSink& sink);
 /// Whether this build reads VTP files, which needs pugixml and zlib.
 bool reads_vtp();

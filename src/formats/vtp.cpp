@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include "core/table_text.h"
 #include "formats/vtk_array.h"
 
 namespace freshet {
@@ -77,9 +78,10 @@ void check_file(VtkFile& file, const PointSink& sink) {
   file.storage.offsets = std::move(offsets.found);
 }
 
+/// The first array of a name in small letters, which may have capitals.
 pugi::xml_node array_named(const pugi::xml_node& piece, std::string_view name) {
   for (const pugi::xml_node& array : piece.child("PointData").children("DataArray"))
-    if (array.attribute("Name").as_string() == name) return array;
+    if (plain_name(array.attribute("Name").as_string()) == name) return array;
   return {};
 }
 
@@ -100,19 +102,30 @@ std::vector<Source> sources_of(const pugi::xml_node& piece, const PointSink& sin
   if (!points) sink.fail("a piece has no points; save the file again");
   if (components(points) != 3) sink.fail("its points are not of 3 numbers; save the file again");
   sources.push_back({{points, "points"}, 0, 3});
-  for (const char* name : {"velocity", "Velocity", "v"})
-    if (const pugi::xml_node array = array_named(piece, name); array && sources.size() == 1) {
-      if (components(array) != 3)
-        sink.fail(
-            fmt::format("array \"{}\": not of 3 numbers a point; save it so, or rename it", name));
-      sources.push_back({{array, name}, 3, 3});
-    }
+  for (const char* name : {"velocity", "v", "velocities", "vel", "u"}) {
+    const pugi::xml_node array = array_named(piece, name);
+    const bool vague = name == std::string_view("vel") || name == std::string_view("u");
+    if (!array || sources.size() > 1 || (vague && components(array) != 3)) continue;
+    const char* own_name = array.attribute("Name").as_string();
+    if (components(array) != 3)
+      sink.fail(fmt::format("array \"{}\": not of 3 numbers a point; save it so, or rename it",
+                            own_name));
+    sources.push_back({{array, own_name}, 3, 3});
+  }
   static constexpr const char* scalars[] = {"density", "pressure", "id"};
   for (std::size_t k = 0; k < 3; ++k)
     if (const pugi::xml_node array = array_named(piece, scalars[k]);
         array && components(array) == 1)
       sources.push_back({{array, scalars[k]}, 6 + k, 1});
   return sources;
+}
+
+/// Names the arrays of a piece that are not read.
+void skip_arrays(const pugi::xml_node& piece, const std::vector<Source>& sources, PointSink& sink) {
+  for (const pugi::xml_node& array : piece.child("PointData").children("DataArray"))
+    if (std::none_of(sources.begin(), sources.end(),
+                     [&](const Source& source) { return source.array.node == array; }))
+      sink.skip(array.attribute("Name").as_string());
 }
 
 constexpr const char* columns[] = {"x", "y", "z", "vx", "vy", "vz", "density", "pressure", "id"};
@@ -174,8 +187,10 @@ void read_vtp(std::string_view bytes, PointSink& sink) {
     const auto sources = sources_of(piece, sink);
     std::vector<std::string> names;
     for (const Source& source : sources) names.push_back(source.array.name);
-    if (first.empty()) name_columns(sources, sink);
-    else if (names != first)
+    if (first.empty()) {
+      name_columns(sources, sink);
+      skip_arrays(piece, sources, sink);
+    } else if (names != first)
       sink.fail("its pieces have different arrays; merge them into one piece");
     first = names;
     read_piece(sources, *points, file, sink);

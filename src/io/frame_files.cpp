@@ -29,7 +29,7 @@ class FrameColumns final : public PointSink {
     if (at >= 0) fail(fmt::format("{} is named twice; name every column once", column));
     at = std::ptrdiff_t(place);
   }
-  void check() const override {
+  void check() override {
     if (place_[0] < 0 || place_[1] < 0) fail("there is no x or no y; is it the right file?");
     if (given_dimension_ == 3 && place_[2] < 0) fail("there is no z; the file is damaged");
   }

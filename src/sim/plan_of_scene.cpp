@@ -6,6 +6,7 @@
 #include "kernels/lattice_sum.h"
 #include "kernels/scene_kernel.h"
 #include "pairs/akinci2013.h"
+#include "scene/check/findings.h"
 #include "scene/model/expressions.h"
 #include "scene/model/openings.h"
 #include "scene/model/setup.h"
@@ -37,7 +38,12 @@ void plan_domain(const Scene& s, EnginePlan& p) {
   for (int k = 0; k < p.dimension; ++k) p.periodic[std::size_t(k)] = s.periodic(k);
   const auto force = std::make_shared<Expressions>(s.domain.body_force);
   if (force->empty()) return;
-  p.body_force = [force](const double(&x)[3], double t, double* b) { (*force)(x, t, b); };
+  p.body_force = [force, functions = s.domain.body_force, place = place_of(s, "domain.body_force")](
+                     const double(&x)[3], double t, double* b) {
+    (*force)(x, t, b);
+    if (const auto error = not_finite(functions, "domain.body_force", x, t, b))
+      throw Error(Error::Kind::run, place, *error);
+  };
   p.body_force_varies = force->depends_on_place();
 }
 

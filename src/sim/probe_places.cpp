@@ -11,8 +11,6 @@
 namespace freshet {
 namespace {
 
-constexpr int surface_places_per_spacing = 4;
-
 std::vector<Vector> along_line(const Scene::Probe& p, std::int64_t count) {
   std::vector<Vector> places;
   for (std::int64_t k = 0; k < count; ++k) {
@@ -53,11 +51,7 @@ std::vector<Vector> places_of(const Scene& s, const Scene::Probe& p) {
     case ProbeKind::surface:
       break;
   }
-  double length2 = 0;
-  for (std::size_t d = 0; d < p.from.size(); ++d)
-    length2 += (p.to[d] - p.from[d]) * (p.to[d] - p.from[d]);
-  return along_line(p, 1 + std::int64_t(std::ceil(std::sqrt(length2) / s.particles.spacing *
-                                                  surface_places_per_spacing)));
+  return along_line(p, 1 + std::int64_t(steps_of_surface(s, p)));
 }
 
 WallPatch patch_of(const Scene::Probe& p) {

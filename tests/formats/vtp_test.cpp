@@ -111,6 +111,16 @@ TEST(Vtp, JoinsPiecesAndSkipsEmptyOnes) {
   EXPECT_TRUE(cloud.v.empty());
 }
 
+TEST(Vtp, NamesArraysThatAreNotUsed) {
+  const std::string array = "<DataArray NumberOfComponents=\"3\" " + ascii + " Name=";
+  const PointCloud cloud =
+      read(file_of(points_of(ascii, "1 2 3") + "<PointData>" + array + "\"Vel\">4 5 6</DataArray>" +
+                   array + "\"Normals\">0 0 1</DataArray><DataArray " + ascii +
+                   " Name=\"density\">7</DataArray></PointData>"));
+  EXPECT_EQ((std::vector<double>{4, 5, 6}), cloud.v);
+  EXPECT_EQ((std::vector<std::string>{"density", "Normals"}), cloud.unused);
+}
+
 TEST(Vtp, In2DMustHaveAHeightOfZero) {
   EXPECT_EQ((std::vector<double>{1, 2}), read(file_of(points_of(ascii, "1 2 0")), 2).x);
   EXPECT_EQ("a.vtp: error: z is 3, and the scene is in 2D; make it 0, or add z to domain.max",

@@ -7,6 +7,7 @@
 #include "cli/files.h"
 #include "freshet/error.h"
 #include "scene/sample/point_cloud.h"
+#include "scene/sample/point_spacing.h"
 
 namespace freshet::test {
 namespace {
@@ -80,8 +81,10 @@ TEST_F(PointFile, ReadsCsvOfParaView) {
   EXPECT_EQ((std::vector<double>{1, 2, 3}), cloud.v);
   EXPECT_EQ("b.csv:1: error: x is named twice; name every column once",
             refused("b.csv", "x,Points:0\n"));
-  EXPECT_EQ("c.csv:1: error: x is missing; a 2D scene needs x, y and optionally vx, vy",
-            refused("c.csv", "Points:3,Points:1\n", 2));
+  EXPECT_EQ(
+      "c.csv:1: error: x is missing; a 2D scene needs x, y and optionally vx, vy; columns found: "
+      "\"Points:3\", \"y\"",
+      refused("c.csv", "Points:3,Points:1\n", 2));
 }
 
 // A mesh as Blender 3.4 exports it: normals and faces are ignored.
@@ -104,10 +107,14 @@ TEST_F(PointFile, ReportsPlaceAndRemedy) {
       refused("a.csv", "x,y\n1,2\n1,two\n", 2));
   EXPECT_EQ("a.csv:2: error: 3 values, and the first line names 2; give every point all",
             refused("a.csv", "x,y\n1,2,3\n", 2));
-  EXPECT_EQ("a.csv:1: error: z is missing; a 3D scene needs x, y, z and optionally vx, vy, vz",
-            refused("a.csv", "x,y\n1,2\n"));
-  EXPECT_EQ("a.csv:1: error: vy is missing, and another velocity is present; write all 2 or none",
-            refused("a.csv", "x,y,vx\n1,2,3\n", 2));
+  EXPECT_EQ(
+      "a.csv:1: error: z is missing; a 3D scene needs x, y, z and optionally vx, vy, vz; columns "
+      "found: \"x\", \"y\"",
+      refused("a.csv", "x,y\n1,2\n"));
+  EXPECT_EQ(
+      "a.csv:1: error: vy is missing, and another velocity is present; write all 2 or none; columns found: "
+      "\"x\", \"y\", \"vx\"",
+      refused("a.csv", "x,y,vx\n1,2,3\n", 2));
   EXPECT_EQ("a.csv:1: error: x is named twice; name every column once",
             refused("a.csv", "x,y,x\n1,2,3\n", 2));
   EXPECT_EQ(
@@ -124,7 +131,8 @@ TEST_F(PointFile, ReportsPlaceAndRemedy) {
   EXPECT_EQ("a.ply:3: error: another element stands before the vertices; put them first",
             refused("a.ply", "ply\nformat ascii 1.0\nelement face 2\n"));
   EXPECT_EQ(
-      "a.ply:4: error: y is missing; a 2D scene needs x, y and optionally vx, vy",
+      "a.ply:4: error: y is missing; a 2D scene needs x, y and optionally vx, vy; columns found: "
+      "\"x\"",
       refused("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n", 2)
           .replace(6, 1, "4"));
   EXPECT_EQ("a.ply:12: error: not 7 numbers, which the header asks for; the file is damaged",
@@ -143,10 +151,63 @@ TEST_F(PointFile, ReportsPlaceAndRemedy) {
             refused("a.ply", "ply\nformat text 1.0\n"));
 }
 
+TEST_F(PointFile, ReadsTheVelocitiesOfCommonPrograms) {
+  for (const char* names :
+       {"Vel:0,Vel:1,Vel:2", "u,v,w", "U:0,U:1,U:2", "Ux,Uy,Uz", "vel_x,vel_y,vel_z", "VX,VY,VZ",
+        "Vel.x [m/s],Vel.y [m/s],Vel.z [m/s]", "velocity_x,velocity_y,velocity_z", "v_x,v_y,v_z"}) {
+    const PointCloud cloud = read("a.csv", std::string("x,y,z,") + names + ",rho\n1,2,3,4,5,6,7\n");
+    EXPECT_EQ((std::vector<double>{4, 5, 6}), cloud.v) << names;
+    EXPECT_EQ(std::vector<std::string>{"rho"}, cloud.unused) << names;
+  }
+  for (const char* names : {"Points:0,Points:1,Points:2", "X,Y,Z", "x [m],y [m],z (m)",
+                            "Pos.x [m],Pos.y [m],Pos.z [m]", "position_x,position_y,position_z"})
+    EXPECT_EQ((std::vector<double>{1, 2, 3}), read("a.csv", std::string(names) + "\n1,2,3\n").x)
+        << names;
+}
+
+// A column v alone can be a volume, and u beside vx another velocity.
+TEST_F(PointFile, ReadsLettersAsAVelocityOnlyTogether) {
+  const PointCloud alone = read("a.csv", "x,y,v\n1,2,3\n", 2);
+  EXPECT_TRUE(alone.v.empty());
+  EXPECT_EQ(std::vector<std::string>{"v"}, alone.unused);
+  const PointCloud beside = read("b.csv", "x,y,vx,vy,u,v\n1,2,3,4,5,6\n", 2);
+  EXPECT_EQ((std::vector<double>{3, 4}), beside.v);
+  EXPECT_EQ((std::vector<std::string>{"u", "v"}), beside.unused);
+}
+
+TEST_F(PointFile, ReadsOtherSeparatorsAndComments) {
+  const std::vector<double> x{1, 2.5, 3, 4};
+  for (const char* text :
+       {"x;y\n1;2.5\n3;4\n", "x;y\n1;2,5\n3;4\n", "x\ty\n1\t2.5\n3\t4\n", "x y\n 1   2.5\n3 4\n",
+        "# by a script\nx,y\n1,2.5\n3,4\n", "# x y\n1 2.5\n# between\n3 4\n",
+        "# made by a script\n# x,y\n1 2.5\n3 4\n"})
+    EXPECT_EQ(x, read("a.csv", text, 2).x) << text;
+  EXPECT_EQ(x, read("A.CSV", "x,y\n1,2.5\n3,4\n", 2).x);
+  EXPECT_EQ(
+      "b.csv:1: error: the first line has 2 numbers and no names; write a line of names such as "
+      "x,y,z before it",
+      refused("b.csv", "1,2.5\n3,4\n", 2));
+  EXPECT_EQ(
+      "c.csv:3: error: value 2 is no number; write numbers like 0.5 or 1e-3, with commas between "
+      "them",
+      refused("c.csv", "# comment\nx,y\n1,2:5\n", 2));
+}
+
 TEST_F(PointFile, MustExistAndBeAFile) {
   EXPECT_THROW(read_points(folder_ / "none.ply", 3), Error);
   EXPECT_THROW(read_points(folder_.path(), 3), Error);
   EXPECT_THROW(read_points("/dev/null", 3), Error);
+}
+
+TEST(PointSpacing, IsTheMedianDistanceOfNearestNeighbors) {
+  std::vector<double> x;
+  for (int k = 0; k < 20; ++k)
+    for (int j = 0; j < 30; ++j) x.insert(x.end(), {0.1 * k, 0.1 * j, 0.5});
+  EXPECT_NEAR(0.1, median_spacing(x, 3), 1e-12);
+  x.insert(x.end(), {1e6, 0, 0});
+  EXPECT_NEAR(0.1, median_spacing(x, 3), 1e-12);
+  EXPECT_EQ(0, median_spacing({1, 2, 3}, 3));
+  EXPECT_EQ(5, median_spacing({0, 0, 3, 4}, 2));
 }
 
 }  // namespace

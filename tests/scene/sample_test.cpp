@@ -172,6 +172,60 @@ TEST(SampleFluid, UsesThePointsOfAFile) {
   EXPECT_EQ((std::vector<Real>{1, 0, 0, -1}), s.v);
 }
 
+/// A scene with points at distances from a wall, whose surface is at x = 0.5: in it, and before it.
+Scene points_at_a_wall(const TemporaryFolder& folder) {
+  write_text(folder / "state.csv", "x,y,id\n0.45,0.5,0\n0.501,0.5,1\n0.6,0.5,2\n0.7,0.5,3\n");
+  write_text(folder / "scene.toml",
+             "domain.max = [1, 1]\nparticles.spacing = 0.1\ntime = { end = 0.01, step = 1e-4 }\n"
+             "[fluid]\nshape = \"points\"\nfile = \"state.csv\"\n"
+             "[wall]\nshape = \"box\"\nmin = [0.3, 0]\nmax = [0.5, 1]\n");
+  return load_scene(folder / "scene.toml");
+}
+
+// A state of a run has particles closer to walls than half a spacing.
+TEST(SampleFluid, KeepsThePointsOfAFileBeforeAWall) {
+  const TemporaryFolder folder;
+  const Sample s = sample(points_at_a_wall(folder));
+  EXPECT_EQ(3u, s.density.size());
+  EXPECT_EQ(Real(0.501), s.x[0]);
+  EXPECT_EQ(1, s.left_out);
+}
+
+TEST(Warnings, NameUnusedColumnsAndExcludedPointsOfAFile) {
+  const TemporaryFolder folder;
+  const std::string place = (folder / "scene.toml").string() + ":6:8: warning: ",
+                    file = (folder / "state.csv").string();
+  std::string text;
+  for (const Diagnostic& d : scene_warnings(points_at_a_wall(folder))) text += d.text() + "\n";
+  EXPECT_NE(std::string::npos,
+            text.find(place + file +
+                      " has columns that are not used: \"id\"; a fluid reads positions and "
+                      "velocities\n"))
+      << text;
+  EXPECT_NE(std::string::npos,
+            text.find(place + "1 of the 4 points of " + file +
+                      " are inside walls, bodies or zones of inlets and are excluded; move them "
+                      "out, or move what they are in\n"))
+      << text;
+  EXPECT_EQ(std::string::npos, text.find("apart")) << text;
+}
+
+TEST(Warnings, ReportPointsWithAnotherSpacing) {
+  const TemporaryFolder folder;
+  write_text(folder / "sparse.csv", "x,y\n0.2,0.5\n0.4,0.5\n0.6,0.5\n0.8,0.5\n");
+  write_text(folder / "scene.toml",
+             "domain.max = [1, 1]\nparticles.spacing = 0.1\ntime = { end = 0.01, step = 1e-4 }\n"
+             "[fluid]\nshape = \"points\"\nfile = \"sparse.csv\"\n");
+  std::string text;
+  for (const Diagnostic& d : scene_warnings(load_scene(folder / "scene.toml")))
+    text += d.text() + "\n";
+  EXPECT_NE(std::string::npos,
+            text.find("sparse.csv are 0.2 m apart (median distance of nearest neighbours), and "
+                      "particles.spacing is 0.1 m; set particles.spacing = 0.2, or sample the "
+                      "points at the spacing\n"))
+      << text;
+}
+
 TEST(Resolution, ScalesLengthsAndTimeStepIn3D) {
   const Scene coarse = scene_with("[1, 1, 1]", 0.1,
                                   "particles.support_radius = 0.25\n[fluid]\nshape = \"lattice\"\n"

@@ -83,6 +83,15 @@ TEST(Schedule, WritesDataWithTheFramesOrByItsOwnKeys) {
   EXPECT_EQ(Steps{}, data_of(scene));
 }
 
+// The number of such intervals in a run is beyond any integer.
+TEST(Schedule, ObservesAfterEveryStepForAnIntervalOfAlmostNothing) {
+  Scene scene = scene_of(1, 0.1);
+  scene.output.observables_every = 1e-30;
+  const Schedule schedule(scene);
+  for (std::int64_t k = 1; k < 9; ++k)
+    EXPECT_TRUE(schedule.observe_after({k, 0.1 * double(k), 0.1 * double(k + 1), false})) << k;
+}
+
 TEST(Schedule, OfAdaptiveStepsIsInSeconds) {
   Scene scene = scene_of(1, 0);
   scene.time.adaptive = true;

@@ -86,6 +86,26 @@ TEST(BodyForceOrder, IsTheOrderOfTheIntegrator) {
     EXPECT_NEAR(4, error(integrator, 0.02) / error(integrator, 0.01), 0.4) << integrator;
 }
 
+TEST(BodyForceValue, ThatIsNaNIsReportedWithFunctionPlaceAndTime) {
+  if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
+  Simulation sim = simulation_of(
+      "[domain]\nmax = [4, 4]\ngravity = [0, 0]\nbody_force = [\"0\", \"t < 0.0035 ? 0 : "
+      "sqrt(-x)\"]\n[particles]\nspacing = 0.2\n[fluid]\nshape = \"lattice\"\nfrom = [3, 2]\n"
+      "count = [1, 1]\n[walls]\nmethod = \"open\"\n[solver]\nname = \"dfsph\"\n[time]\nend = "
+      "0.01\nstep = 0.001\n");
+  try {
+    while (!sim.finished()) sim.step();
+    FAIL() << "no error";
+  } catch (const Error& e) {
+    EXPECT_EQ(Error::Kind::run, e.kind());
+    EXPECT_STREQ(
+        "test.toml:4:14: error: domain.body_force is NaN at (3, 2), 0.004 s, in \"t < 0.0035 ? 0 : "
+        "sqrt(-x)\"; fix the function",
+        e.what());
+    EXPECT_EQ(4, sim.steps_done());
+  }
+}
+
 TEST(BodyForceOrder, LimitsAdaptiveSteps) {
   if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
   Simulation sim = simulation_of(

@@ -23,7 +23,7 @@ std::vector<Diagnostic> contradictions(const Scene& given,
   if (read("domain")) check_domain(scene, findings);
   if (read("domain") && findings.list.empty()) check_sizes(scene, findings);
   const bool sizes = read("domain") && findings.list.empty();
-  if (read("particles")) check_particles(scene, findings);
+  bool sampled = read("particles") && check_particles(scene, findings);
   if (read("fluid", "inlet") && scene.fluid.empty() && scene.inlet.empty())
     findings.error("fluid", "there is no fluid; add a [fluid] table, or an [inlet]");
   if (read("time")) check_time(scene, findings);
@@ -31,7 +31,7 @@ std::vector<Diagnostic> contradictions(const Scene& given,
   if (read("solver", "particles", "fluid")) check_method(scene, findings);
   if (!sizes) return std::move(findings.list);
 
-  if (read("particles")) check_resolution(scene, findings);
+  sampled = read("particles") && check_resolution(scene, findings) && sampled;
   if (read("probe")) check_probes(scene, findings);
   if (read("picture")) check_picture(scene, findings);
   if (read("camera")) check_camera(scene, findings);
@@ -43,11 +43,17 @@ std::vector<Diagnostic> contradictions(const Scene& given,
   if (read("solver", "walls")) check_sides(scene, findings);
   const bool walls = read("solver", "walls", "wall", "particles") && check_walls(scene, findings);
   const bool bodies = read("solver", "walls", "wall", "body", "joint", "particles", "time") &&
-                      check_bodies(scene, walls, findings);
-  const bool flows = read("particles", "inlet", "outlet", "counter", "time") &&
+                      check_bodies(scene, findings);
+  const bool flows = sampled && read("particles", "inlet", "outlet", "counter", "time") &&
                      check_flows(scene, walls, findings);
-  if (read("particles", "fluid") && (flows || scene.inlet.empty()))
-    check_fluids(scene, walls, bodies, findings);
+  const FluidCount fluids =
+      read("particles", "fluid") ? check_fluids(scene, findings) : FluidCount{};
+  if (!sampled || !check_count(scene, fluids.places, {walls, bodies, flows}, findings))
+    return std::move(findings.list);
+  const bool placed = bodies && (scene.body.empty() || check_body_places(scene, walls, findings));
+  if ((walls || scene.wall.empty()) && (placed || scene.body.empty()) &&
+      (flows || scene.inlet.empty()))
+    check_room(scene, fluids, findings);
   return std::move(findings.list);
 }
 

@@ -316,7 +316,9 @@ bool check_body(const Scene& s, std::size_t k, Findings& out) {
   out.unused(at + "side", "body.side", "the fluid is always outside a body; remove it");
   check_motion_keys(b, at, out);
   const bool turns = check_axis(s, at + "turn_axis", "body.turn_axis", b.turn_axis, out);
-  if (!check_region(s, {b, at, "body"}, out) || !check_thickness(s, b, at, out)) return false;
+  if (!check_region(s, {b, at, "body"}, out) || !check_thickness(s, b, at, out) ||
+      !check_body_reach(s, k, out))
+    return false;
   if (b.motion == BodyMotion::moved) return check_moved(s, b, at, out) && turns;
   return (b.motion == BodyMotion::fixed || check_free(b, at, out)) && turns;
 }
@@ -360,7 +362,7 @@ bool check_joint(const Scene& s, std::size_t k, Findings& out) {
 
 }  // namespace
 
-bool check_bodies(const Scene& s, bool walls_are_good, Findings& out) {
+bool check_bodies(const Scene& s, Findings& out) {
   if (s.body.size() > most_bodies) {
     out.error("body", fmt::format("there are {} bodies; at most {} are allowed", s.body.size(),
                                   most_bodies));
@@ -370,7 +372,10 @@ bool check_bodies(const Scene& s, bool walls_are_good, Findings& out) {
   check_body_names(s, out);
   for (std::size_t k = 0; k < s.body.size(); ++k) good &= check_body(s, k, out);
   for (std::size_t k = 0; k < s.joint.size(); ++k) good &= check_joint(s, k, out);
-  if (!good || s.body.empty()) return good;
+  return good;
+}
+
+bool check_body_places(const Scene& s, bool walls_are_good, Findings& out) {
   return s.dimension() == 2 ? check_places<2>(s, walls_are_good, out)
                             : check_places<3>(s, walls_are_good, out);
 }

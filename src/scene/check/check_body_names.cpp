@@ -3,6 +3,7 @@
 #include <set>
 
 #include "scene/check/findings.h"
+#include "scene/model/body_shape.h"
 
 namespace freshet {
 
@@ -21,6 +22,27 @@ void check_body_names(const Scene& s, Findings& out) {
       out.error(key, fmt::format("body.name is \"{}\", which another body has; choose another name",
                                  name));
   }
+}
+
+bool check_body_reach(const Scene& s, std::size_t k, Findings& out) {
+  const Scene::Body& b = s.body[k];
+  const BodyShape shape = body_shape(b);
+  const double center[] = {shape.center.x, shape.center.y, shape.center.z};
+  double gap = 0, domain = 0;
+  for (std::size_t d = 0; d < s.domain.max.size(); ++d) {
+    const bool box = b.shape == Shape::box;
+    const double low = box ? b.min[d] : center[d] - shape.reach,
+                 high = box ? b.max[d] : center[d] + shape.reach;
+    domain = std::max(domain, s.domain.max[d] - s.domain.min[d]);
+    if (!s.periodic(int(d))) gap = std::max({gap, low - s.domain.max[d], s.domain.min[d] - high});
+  }
+  if (!(gap > 0)) return true;
+  out.error(fmt::format("body[{}]", k),
+            fmt::format("{} is outside the domain{}; move it into it", s.body_name(k),
+                        gap > 10 * domain
+                            ? fmt::format(", {:.4g} m away from it; all lengths are in metres", gap)
+                            : ""));
+  return false;
 }
 
 const Scene::Body* find_body(const Scene& s, const std::string& name, const std::string& at,

@@ -140,15 +140,16 @@ void check_periodic(const Scene& s, Findings& out) {
   }
 }
 
-void check_particles(const Scene& s, Findings& out) {
+bool check_particles(const Scene& s, Findings& out) {
   const auto& p = s.particles;
   const double support = support_radius(s);
-  if (support <= p.spacing)
+  const bool neighbors = support > p.spacing, few = support <= widest_support * p.spacing;
+  if (!neighbors)
     out.error("particles.support_radius",
               fmt::format("particles.support_radius is {}, not above the spacing {}: no particle "
                           "would have a neighbour; 2 × spacing is usual",
                           support, p.spacing));
-  if (support > widest_support * p.spacing)
+  if (!few)
     out.error("particles.support_radius",
               fmt::format("particles.support_radius is {:.4g} times the spacing; at most {} times "
                           "are allowed, 2 are usual",
@@ -165,21 +166,22 @@ void check_particles(const Scene& s, Findings& out) {
         fmt::format("a support radius of {:.4g} m is out of range: {}-bit numbers cannot hold "
                     "the kernels' constants; scale the scene {}",
                     support, 8 * sizeof(Real), support < 1 ? "up" : "down"));
+  return neighbors && few && normal;
 }
 
 /// Positions are absolute, so that their resolution decreases with the distance from the origin.
-void check_resolution(const Scene& s, Findings& out) {
+bool check_resolution(const Scene& s, Findings& out) {
   double far = 0;
   for (const Vector* corner : {&s.domain.min, &s.domain.max})
     for (const double x : *corner) far = std::max(far, std::abs(x));
   const double coarse = far * double(std::numeric_limits<Real>::epsilon());
-  if (s.particles.spacing < 100 * coarse)
-    out.error(
-        "particles.spacing",
-        fmt::format("particles.spacing is {}, too fine for a domain that reaches {:.3g} m from "
-                    "the origin, where {}-bit numbers are {:.2g} m apart; make it larger, or "
-                    "move the domain to the origin",
-                    s.particles.spacing, far, 8 * sizeof(Real), coarse));
+  if (s.particles.spacing >= 100 * coarse) return true;
+  out.error("particles.spacing",
+            fmt::format("particles.spacing is {}, too fine for a domain that reaches {:.3g} m from "
+                        "the origin, where {}-bit numbers are {:.2g} m apart; make it larger, or "
+                        "move the domain to the origin",
+                        s.particles.spacing, far, 8 * sizeof(Real), coarse));
+  return false;
 }
 
 }  // namespace freshet

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -8,15 +6,12 @@
 #include "scene/keys/keys.h"
 #include "scene/model/background.h"
 #include "scene/model/expressions.h"
-#include "scene/model/openings.h"
 #include "scene/sample/places.h"
 
 namespace freshet {
 namespace {
 
-constexpr double most_particles = 2147483647.0;
 constexpr std::size_t most_fluids = 1000, most_liquids = 8;
-constexpr double bytes_per_particle = 400;  // fields, lists and pictures: a high estimate
 
 /// True if the lattice of the fluid has a particle.
 bool check_not_empty(const Scene& s, const Scene::Fluid& f, const std::string& at, Findings& out) {
@@ -86,25 +81,6 @@ void check_inside(const Scene& s, const Scene::Fluid& f, const std::string& at, 
   }
 }
 
-bool check_count(double particles, double samples, Findings& out) {
-  const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
-  const double all = particles + samples, needed = all * bytes_per_particle;
-  const bool lattice = out.given("fluid[0].count") && particles > samples;
-  const char* key = lattice ? "fluid[0].count" : "particles.spacing";
-  const char* remedy =
-      lattice ? "make fluid.count smaller" : "make the spacing larger or the fluid smaller";
-  const std::string of_walls = samples > 0 ? fmt::format(" ({:.4g} of walls)", samples) : "";
-  if (all > most_particles)
-    out.error(key, fmt::format("the scene has {:.4g} particles{}; at most {:.0f} are allowed; {}",
-                               all, of_walls, most_particles, remedy));
-  else if (needed > memory)
-    out.error(key,
-              fmt::format("{:.4g} particles{} need about {:.3g} GiB of memory, and this machine "
-                          "has {:.3g} GiB; {}",
-                          all, of_walls, needed / (1u << 30), memory / (1u << 30), remedy));
-  return all <= most_particles && needed <= memory;
-}
-
 /// mueller2003 supports one liquid only.
 void check_same_liquid(const Scene& s, std::size_t k, Findings& out) {
   const Scene::Fluid &a = s.fluid[0], &b = s.fluid[k];
@@ -145,6 +121,12 @@ void check_velocity_field(const Scene& s, const Scene::Fluid& f, const std::stri
                                  f.velocity_field.size(), s.dimension(), s.dimension()));
   if (const auto fault = fault_in(f.velocity_field))
     out.error(at + "velocity_field", "fluid.velocity_field " + *fault);
+  else if (Expressions(f.velocity_field).depends_on_time())
+    out.error(
+        at + "velocity_field",
+        fmt::format("fluid.velocity_field depends on t, and it is evaluated at the start only; "
+                    "make it a function of {}",
+                    s.dimension() == 3 ? "x, y and z" : "x and y"));
   else out.unused(at + "velocity", "fluid.velocity", "fluid.velocity_field sets it; remove one");
 }
 
@@ -171,25 +153,6 @@ template <int D> bool is_empty(const Scene& s, const Scene::Fluid& f) {
   return empty;
 }
 
-/// Walls must leave room for each fluid, and fluids must not overlap.
-void check_room(const Scene& s, const std::vector<std::size_t>& good, Findings& out) {
-  for (const std::size_t k : good) {
-    const Scene::Fluid& f = s.fluid[k];
-    const bool empty = s.dimension() == 2 ? is_empty<2>(s, f) : is_empty<3>(s, f);
-    if (empty)
-      out.error(
-          fmt::format("fluid[{}].", k),
-          fmt::format("fluid[{}] is empty: no place of its lattice is inside its shape and far "
-                      "enough from walls; move it, or make the spacing smaller",
-                      k));
-  }
-  for (const auto& [j, k] : overlapping_fluids(s, good))
-    out.error(fmt::format("fluid[{}].{}", k, key_of_end(s.fluid[k], true)),
-              fmt::format("fluid[{}] overlaps fluid[{}]: their particles would be less than "
-                          "half a spacing apart; move one of them",
-                          k, j));
-}
-
 /// The number of places of the fluid; empty if it is invalid, so that other checks must skip it.
 std::optional<double> check_shape(const Scene& s, const Scene::Fluid& f, const std::string& at,
                                   Findings& out) {
@@ -206,13 +169,14 @@ std::optional<double> check_shape(const Scene& s, const Scene::Fluid& f, const s
 
 }  // namespace
 
-void check_fluids(const Scene& s, bool walls_are_good, bool bodies_are_good, Findings& out) {
-  if (s.fluid.size() > most_fluids)
-    return out.error("fluid", fmt::format("there are {} fluids; at most {} are allowed",
-                                          s.fluid.size(), most_fluids));
+FluidCount check_fluids(const Scene& s, Findings& out) {
+  FluidCount count;
+  if (s.fluid.size() > most_fluids) {
+    out.error("fluid", fmt::format("there are {} fluids; at most {} are allowed", s.fluid.size(),
+                                   most_fluids));
+    return count;
+  }
   check_liquids(s, out);
-  double particles = 0;
-  std::vector<std::size_t> good;
   for (std::size_t k = 0; k < s.fluid.size(); ++k) {
     const Scene::Fluid& f = s.fluid[k];
     const std::string at = fmt::format("fluid[{}].", k);
@@ -222,17 +186,29 @@ void check_fluids(const Scene& s, bool walls_are_good, bool bodies_are_good, Fin
     check_pressure(f, at, out);
     const std::optional<double> places = check_shape(s, f, at, out);
     if (!places) continue;
-    particles += *places;
+    count.places += *places;
     check_inside(s, f, at, out);
-    good.push_back(k);
+    count.good.push_back(k);
   }
-  const InflowEstimate inflow = estimate_inflow(s);
-  particles += inflow.at_start + std::min(inflow.later, room_in_domain(s));
-  const double samples =
-      (walls_are_good ? most_wall_samples(s) : 0) + (bodies_are_good ? most_body_samples(s) : 0);
-  if (check_count(particles, samples, out) && (walls_are_good || s.wall.empty()) &&
-      (bodies_are_good || s.body.empty()))
-    check_room(s, good, out);
+  return count;
+}
+
+/// The walls leave room, and fluids do not share it.
+void check_room(const Scene& s, const FluidCount& fluids, Findings& out) {
+  for (const std::size_t k : fluids.good) {
+    const Scene::Fluid& f = s.fluid[k];
+    const bool empty = s.dimension() == 2 ? is_empty<2>(s, f) : is_empty<3>(s, f);
+    if (empty)
+      out.error(fmt::format("fluid[{}].", k),
+                fmt::format("fluid[{}] is empty: no place of its lattice lies inside its shape and "
+                            "off the walls; move it, or make the spacing smaller",
+                            k));
+  }
+  for (const auto& [j, k] : overlapping_fluids(s, fluids.good))
+    out.error(fmt::format("fluid[{}].{}", k, key_of_end(s.fluid[k], true)),
+              fmt::format("fluid[{}] overlaps fluid[{}]: their particles would lie less than "
+                          "half a spacing apart; move one",
+                          k, j));
 }
 
 }  // namespace freshet

@@ -86,6 +86,18 @@ void check_plane(const Scene& s, const Scene::Probe& p, const std::string& at, F
                                      places, most_places));
 }
 
+/// A line of not too many places.
+void check_surface(const Scene& s, const Scene::Probe& p, const std::string& at, Findings& out) {
+  const auto n = std::size_t(s.dimension());
+  if (p.from.size() != n || p.to.size() != n) return;  // told of already
+  const double places = 1 + steps_of_surface(s, p);
+  if (places > most_places)
+    out.error(at + "to", fmt::format("the line of the surface probe has {:.3g} places, four in a "
+                                     "spacing; at most {} are allowed; move probe.from and "
+                                     "probe.to closer together",
+                                     places, most_places));
+}
+
 bool has_samples(const Scene& s) {
   const auto sampled = [&](WallMethod m) { return wall_layers(s, m) > 0; };
   bool any = !s.body.empty();
@@ -120,6 +132,7 @@ void check_probes(const Scene& s, Findings& out) {
     check_vectors(s, p, at, out);
     if (p.kind == ProbeKind::plane) check_plane(s, p, at, out);
     if (p.kind == ProbeKind::wall) check_wall(s, p, at, out);
+    if (p.kind == ProbeKind::surface) check_surface(s, p, at, out);
     if (!p.body.empty()) find_body(s, p.body, at + "body", "probe.body", out);
     if (p.count > most_places)
       out.error(at + "count", fmt::format("probe.count is {}; at most {} points are allowed",

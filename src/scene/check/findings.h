@@ -44,8 +44,9 @@ struct RegionAt {
 void check_domain(const Scene& scene, Findings& out);
 void check_sizes(const Scene& scene, Findings& out);  ///< every vector has one number per axis
 void check_periodic(const Scene& scene, Findings& out);
-void check_resolution(const Scene& scene, Findings& out);
-void check_particles(const Scene& scene, Findings& out);
+/// Both return false if nothing can be counted or sampled at this spacing and support radius.
+bool check_resolution(const Scene& scene, Findings& out);
+bool check_particles(const Scene& scene, Findings& out);
 void check_method(const Scene& scene, Findings& out);
 void check_gravity(const Scene& scene, Findings& out);
 void check_body_force(const Scene& scene, Findings& out);
@@ -59,16 +60,35 @@ bool check_region(const Scene& scene, const RegionAt& at, Findings& out);
 std::optional<PointCloud> check_points(const Scene& scene, const RegionAt& at, Findings& out);
 /// False if the mesh of a region's file is invalid, or unsuitable for the region.
 bool check_mesh(const Scene& scene, const RegionAt& at, Findings& out);
-void check_fluids(const Scene& scene, bool walls_are_good, bool bodies_are_good, Findings& out);
+/// The fluids whose places can be sampled, and the number of their places.
+struct FluidCount {
+  std::vector<std::size_t> good;
+  double places = 0;
+};
+FluidCount check_fluids(const Scene& scene, Findings& out);
+/// Requires a count of particles that check_count accepts, as it samples fluids, walls and bodies.
+void check_room(const Scene& scene, const FluidCount& fluids, Findings& out);
 /// False if the shape or method of a wall is invalid, so that it cannot be sampled.
 bool check_walls(const Scene& scene, Findings& out);
 void check_sides(const Scene& scene, Findings& out);
 /// Inlets, outlets and counters. False if an inlet is invalid, so that fluids cannot be checked.
 bool check_flows(const Scene& scene, bool walls_are_good, Findings& out);
 /// False if a body is invalid, so that it cannot be sampled.
-bool check_bodies(const Scene& scene, bool walls_are_good, Findings& out);
+bool check_bodies(const Scene& scene, Findings& out);
+/// False if a body is at a wrong place. Requires a count that check_count accepts.
+bool check_body_places(const Scene& scene, bool walls_are_good, Findings& out);
+
+/// Which parts of a scene can be counted.
+struct Countable {
+  bool walls, bodies, inlets;
+};
+/// Whether the particles of the scene are few enough to sample them. Estimates them without
+/// sampling.
+bool check_count(const Scene& scene, double fluid_places, const Countable& parts, Findings& out);
 
 void check_body_names(const Scene& scene, Findings& out);
+/// False if the box around a body, or the sphere around a round one, misses the domain.
+bool check_body_reach(const Scene& scene, std::size_t body, Findings& out);
 /// The body of that name. Null, and an error at the key, if it does not exist.
 const Scene::Body* find_body(const Scene& scene, const std::string& name, const std::string& at,
                              const std::string& key, Findings& out);

@@ -6,6 +6,7 @@
 #include "freshet/derived.h"
 #include "scene/check/body_warnings.h"
 #include "scene/check/findings.h"
+#include "scene/check/point_warnings.h"
 #include "scene/check/probe_warnings.h"
 #include "scene/model/loaded_mesh.h"
 #include "scene/model/setup.h"
@@ -28,6 +29,7 @@ class Warnings {
     for (std::size_t k = 0; k < s_.wall.size(); ++k) mesh("wall", k, s_.wall[k]);
     for (std::size_t k = 0; k < s_.body.size(); ++k) mesh("body", k, s_.body[k]);
     for (Diagnostic& d : body_warnings(s_, d_)) list_.push_back(std::move(d));
+    for (Diagnostic& d : point_warnings(s_)) list_.push_back(std::move(d));
     for (Diagnostic& d : probe_warnings(s_)) list_.push_back(std::move(d));
     return std::move(list_);
   }

@@ -334,11 +334,12 @@ The functions of a scene (`body_force`, `fluid.velocity_field`, `body.position`,
 - `points`: the particles of `file`.
 
 Places in walls, bodies and the zones of inlets, or closer to them than half a spacing,
-are excluded.
+are excluded. The points of a file are excluded only inside of them.
 
 A `*.ply` of points has vertices with x, y, z and optionally vx, vy, vz. A `*.vtp` has
 points and optionally an array `velocity`. The first line of a `*.csv` names the columns
-x, y, z, vx, vy, vz.)",
+x, y, z, vx, vy, vz. docs/data_files.md lists other names. `check` warns of columns that
+are not used.)",
            s.fluid, [&](Scene::Fluid& f) { fluid_keys(v, f); });
   v.tables("wall", R"(An obstacle or a tank: `[wall]` for one, `[[wall]]` for several.
 

@@ -4,14 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
 #include "core/input_file.h"
-#include "core/text.h"
+#include "core/table_text.h"
 #include "scene/model/expressions.h"
 
 namespace freshet {
@@ -23,28 +23,12 @@ constexpr double little = 1e-4;  // [s]: step of the finite differences
 constexpr InputFile path_file{.noun = "motion file",
                               .remedy = "name a CSV file of times and places"};
 
-/// Without spaces and quotes around it.
-std::string_view bare(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r\"");
-  if (first == text.npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
-}
-
-std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (std::size_t at = 0; at <= line.size();) {
-    const std::size_t comma = std::min(line.find(',', at), line.size());
-    cells.push_back(bare(line.substr(at, comma - at)));
-    at = comma + 1;
-  }
-  return cells;
-}
-
 /// The index of a column among time, x, y, z and angle. A unit after the name is ignored.
 std::optional<std::size_t> column_of(std::string_view name) {
   static constexpr std::string_view names[] = {"time", "x", "y", "z", "angle"};
-  name = bare(name.substr(0, name.find('[')));
-  const auto* it = std::find(std::begin(names), std::end(names), name);
+  const std::string plain = plain_name(name);
+  if (plain == "t") return 0;
+  const auto* it = std::find(std::begin(names), std::end(names), plain);
   if (it == std::end(names)) return {};
   return std::size_t(it - names);
 }
@@ -55,13 +39,15 @@ class PathReader {
       : file_(file.string()), dimension_(std::size_t(dimension)) {}
 
   std::vector<Scene::Body::Key> read() {
-    const std::string all = read_input(file_, path_file);
-    for (std::string_view bytes = all; !bytes.empty();) {
-      const std::string_view line = take_line(bytes);
-      ++line_;
-      if (bare(line).empty() || bare(line).front() == '#') continue;
-      if (columns_.empty()) read_header(line);
-      else read_row(line);
+    const std::string bytes = read_input(file_, path_file);
+    TableText table(bytes);
+    line_ = table.line();
+    auto row = table.next();
+    if (!table.names().empty()) read_names(table.names());
+    else if (!row.empty()) columns_without_names(row.size());
+    for (; !row.empty(); row = table.next()) {
+      line_ = table.line();
+      read_row(row, table);
       if (keys_.size() > 1000000) fail("has more than a million key frames; remove some");
     }
     if (keys_.size() < 2) fail("has fewer than two key frames; write one per line");
@@ -75,8 +61,8 @@ class PathReader {
                 whole && line_ == 0 ? file_ : fmt::format("{}:{}", file_, line_), why);
   }
   /// Messages do not quote the file: it may be any file, and none of its contents may leak.
-  void read_header(std::string_view line) {
-    for (const std::string_view cell : cells_of(line)) {
+  void read_names(const std::vector<std::string_view>& names) {
+    for (const std::string_view cell : names) {
       const auto column = column_of(cell);
       if (!column || (*column == 3 && dimension_ == 2))
         fail(
@@ -88,8 +74,17 @@ class PathReader {
     if (std::find(columns_.begin(), columns_.end(), 0u) == columns_.end())
       fail("the first line has no column time; name the columns there, including time");
   }
-  void read_row(std::string_view line) {
-    const auto cells = cells_of(line);
+  /// The columns of a file that begins with numbers.
+  void columns_without_names(std::size_t count) {
+    if (count != dimension_ + 1 && count != dimension_ + 2)
+      fail(fmt::format(
+          "the first line has {} number{} and no names; name the columns there, such as "
+          "time,x,angle",
+          count, count == 1 ? "" : "s"));
+    for (std::size_t k = 0; k <= dimension_; ++k) columns_.push_back(k);
+    if (count == dimension_ + 2) columns_.push_back(4);
+  }
+  void read_row(const std::vector<std::string_view>& cells, const TableText& table) {
     if (cells.size() != columns_.size())
       fail(fmt::format(
           "this line has {} numbers, and the first line names {} columns; write one number "
@@ -97,10 +92,8 @@ class PathReader {
           cells.size(), columns_.size()));
     double value[5] = {};
     for (std::size_t k = 0; k < cells.size(); ++k) {
-      double& v = value[columns_[k]];
-      const auto [end, error] =
-          std::from_chars(cells[k].data(), cells[k].data() + cells[k].size(), v);
-      if (error != std::errc() || end != cells[k].data() + cells[k].size() || !std::isfinite(v))
+      const double v = value[columns_[k]] = table.number(cells[k]).value_or(NAN);
+      if (!std::isfinite(v))
         fail(
             fmt::format("the value in column {} is not a finite number; write numbers like 0.5 "
                         "or 1e-3",
@@ -116,7 +109,7 @@ class PathReader {
 
   std::string file_;
   std::size_t dimension_;
-  std::int64_t line_ = 0;
+  std::size_t line_ = 0;
   std::vector<std::size_t> columns_;
   std::vector<Scene::Body::Key> keys_;
 };

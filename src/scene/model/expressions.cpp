@@ -2,9 +2,14 @@
 #include "scene/model/expressions.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+
+#include "core/formula_text.h"
+#include "freshet/real.h"
 
 #ifdef FRESHET_MUPARSER
 #include <muParser.h>
@@ -12,12 +17,26 @@
 
 namespace freshet {
 
+std::optional<std::string> not_finite(const std::vector<std::string>& functions,
+                                      const std::string& key, const double (&x)[3],
+                                      std::optional<double> t, const double* values) {
+  const std::size_t n = functions.size();
+  const auto finite = [](double a) { return std::isfinite(Real(a)); };
+  if (!std::all_of(x, x + n, finite)) return {};
+  const double* bad = std::find_if_not(values, values + n, finite);
+  if (bad == values + n) return {};
+  return fmt::format("{} is {} at ({:.4g}){} in {}; fix the function", key,
+                     std::isnan(*bad) ? "NaN" : "infinite", fmt::join(x, x + n, ", "),
+                     t ? fmt::format(", {:.6g} s,", *t) : "",
+                     quoted_formula(functions[std::size_t(bad - values)]));
+}
+
 #ifdef FRESHET_MUPARSER
 
 struct Expressions::Parsers {
   double x[3] = {}, t = 0;
   std::vector<mu::Parser> all;
-  bool depends_on_place = false;
+  bool depends_on_place = false, depends_on_time = false;
 
   explicit Parsers(const std::vector<std::string>& functions) : all(functions.size()) {
     static constexpr const char* axes[] = {"x", "y", "z"};
@@ -31,23 +50,29 @@ struct Expressions::Parsers {
   /// Sets depends_on_place. Throws if a function is invalid.
   void look() {
     for (mu::Parser& parser : all)
-      for (const auto& [name, place] : parser.GetUsedVar()) depends_on_place |= name != "t";
+      for (const auto& [name, place] : parser.GetUsedVar())
+        (name == "t" ? depends_on_time : depends_on_place) = true;
   }
 };
 
 bool reads_expressions() { return true; }
 
 std::optional<std::string> fault_in(const std::vector<std::string>& functions) {
+  for (const std::string& function : functions)
+    if (const std::string why = formula_error(function); !why.empty()) return why;
   Expressions::Parsers parsers(functions);
   for (std::size_t k = 0; k < functions.size(); ++k) try {
-      parsers.all[k].Eval();
+      int values = 0;
+      parsers.all[k].Eval(values);
+      if (values != 1) return values_error(functions[k], values);
     } catch (const mu::Parser::exception_type& e) {
       std::string why = e.GetMsg();
       why.erase(why.find_last_not_of(" .\n") + 1);
       return fmt::format(
-          "has an error in \"{}\": {}; write a function of {} and t with numbers, pi, + - * / ^ "
+          "has an error in {}: {}; write a function of {} and t with numbers, pi, + - * / ^ "
           "and functions such as sin, cos, exp, sqrt, min, max",
-          functions[k], why, functions.size() == 3 ? "x, y, z" : "x, y");
+          quoted_formula(functions[k]), shortened(why, 160),
+          functions.size() == 3 ? "x, y, z" : "x, y");
     }
   return {};
 }
@@ -58,6 +83,7 @@ Expressions::Expressions(const std::vector<std::string>& functions)
 }
 bool Expressions::empty() const { return parsers_->all.empty(); }
 bool Expressions::depends_on_place() const { return parsers_->depends_on_place; }
+bool Expressions::depends_on_time() const { return parsers_->depends_on_time; }
 void Expressions::operator()(const double (&x)[3], double t, double* values) {
   std::copy(x, x + 3, parsers_->x);
   parsers_->t = t;
@@ -78,6 +104,7 @@ std::optional<std::string> fault_in(const std::vector<std::string>&) {
 Expressions::Expressions(const std::vector<std::string>&) {}
 bool Expressions::empty() const { return true; }
 bool Expressions::depends_on_place() const { return false; }
+bool Expressions::depends_on_time() const { return false; }
 void Expressions::operator()(const double (&)[3], double, double*) {}
 
 #endif

@@ -23,6 +23,8 @@ class Expressions {
   bool empty() const;
   /// Whether one of them depends on x, y or z.
   bool depends_on_place() const;
+  /// Whether one of them depends on t.
+  bool depends_on_time() const;
   /// Writes the value of each function to `values`. Not thread-safe.
   void operator()(const double (&x)[3], double t, double* values);
 
@@ -31,5 +33,11 @@ class Expressions {
   struct Parsers;
   std::unique_ptr<Parsers> parsers_;
 };
+
+/// The error of the first of these values of functions that is NaN, or infinite as a Real, at a
+/// finite place. The functions of `key` have no time if `t` is empty.
+std::optional<std::string> not_finite(const std::vector<std::string>& functions,
+                                      const std::string& key, const double (&x)[3],
+                                      std::optional<double> t, const double* values);
 
 }  // namespace freshet

@@ -92,7 +92,7 @@ InletPlan inlet_plan(const Scene& s, const Scene::Inlet& in) {
     plan.direction = {d.x, d.y, d.z};
   }
   // Particles just in front of the opening have neighbours in their whole support.
-  plan.layers = int(std::ceil(support_radius(s) / plan.spacing - 1e-9)) + 1;
+  plan.layers = int(std::min(std::ceil(support_radius(s) / plan.spacing - 1e-9), 1e6)) + 1;
   const double area = double(plan.particles()) * std::pow(plan.spacing, s.dimension() - 1);
   plan.speed = in.speed ? *in.speed : in.flow_rate.value_or(0) / area;
   plan.rate = plan.speed * area;

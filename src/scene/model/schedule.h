@@ -36,20 +36,21 @@ class Every {
   std::int64_t times(std::int64_t steps, double end, double step) const {
     const std::int64_t last = steps - 1;
     if (steps_ > 0) return last / steps_ + 1 + (last % steps_ != 0);
-    if (step == 0) return times_by(end) + 1 + (double(times_by(end)) * seconds_ < end * (1 - 1e-9));
-    const std::int64_t due = times_by(double(steps) * step);
+    if (step == 0) return whole(times_by(end)) + 1 + (times_by(end) * seconds_ < end * (1 - 1e-9));
+    const std::int64_t due = whole(times_by(double(steps) * step));
     if (due == 0) return last == 0 ? 1 : 2;
     return due + (step_of(1, step) > 0) + (step_of(due, step) < last);
   }
 
  private:
   /// The number of times k·seconds, k > 0, up to t, with a tolerance for rounding.
-  std::int64_t times_by(double t) const { return std::int64_t(t / seconds_ + 1e-9); }
+  double times_by(double t) const { return std::floor(t / seconds_ + 1e-9); }
+  static std::int64_t whole(double count) { return std::int64_t(std::min(count, 9e15)); }
   /// The number of the step, each `step` seconds long, after which the k-th time is due.
   std::int64_t step_of(std::int64_t k, double step) const {
     std::int64_t n = std::llround(double(k) * seconds_ / step);
-    while (n > 1 && times_by(double(n - 1) * step) >= k) --n;
-    while (times_by(double(n) * step) < k) ++n;
+    while (n > 1 && times_by(double(n - 1) * step) >= double(k)) --n;
+    while (times_by(double(n) * step) < double(k)) ++n;
     return n - 1;
   }
 

@@ -106,7 +106,8 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
                      (f.shape == Shape::box && f.side == Side::inside);
   if (!whole) shape_.emplace(f);
   shifts_ = periodic_shifts<D>(s);
-  const bool as_given = f.shape == Shape::lattice || f.shape == Shape::points;
+  const bool of_file = f.shape == Shape::points, as_given = f.shape == Shape::lattice || of_file;
+  margin_ = of_file ? 0 : 0.49 * spacing_;
   for (int side = 0; side < 2 * D; ++side) {  // the sides that places keep a distance from
     const auto k = std::size_t(side / 2);
     if (as_given || f.outside == Outside::clamp || s.periodic(side / 2) ||
@@ -117,7 +118,7 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
   }
   for (const Scene::Wall& w : s.wall)
     if (w.shape != Shape::points) walls_.emplace_back(w);
-    else
+    else if (!of_file)
       for (const Vec<D>& x : vectors<D>(read_points(w.file, D).x)) wall_points_.add(to_double(x));
   for (const Scene::Inlet& in : s.inlet) zones_.emplace_back(s, in);
   for (const Scene::Body& b : s.body) walls_.emplace_back(b);
@@ -129,16 +130,17 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
 
 /// Whether x is closer to a wall than half a spacing, less the rounding error of a position (see
 /// check_resolution).
+/// The points of a file are where they should be: only those inside a wall are in it.
 template <int D> bool Places<D>::in_wall(Vec<D> x) const {
   for (std::size_t k = 0; k < D; ++k)
     if (const double at = component(x, int(k));
         at - low_[k] < 0.49 * spacing_ || high_[k] - at < 0.49 * spacing_)
       return true;
   for (const auto& zone : zones_)
-    if (zone.holds(to_double(x), 0.49 * spacing_)) return true;
+    if (zone.holds(to_double(x), margin_)) return true;
   for (const auto& wall : walls_)
     for (const auto& shift : shifts_)
-      if (wall.distance(to_double(x) + shift) < 0.49 * spacing_) return true;
+      if (wall.distance(to_double(x) + shift) < margin_) return true;
   return !wall_points_.empty() && wall_points_.comes_near(to_double(x));
 }
 

@@ -82,6 +82,7 @@ template <int D> class Places {
   std::vector<RegionSurface<D>> walls_;
   std::vector<Vec<D, double>> shifts_;
   std::vector<InletZone<D>> zones_;  // of inlets
+  double margin_;                    // from walls, bodies and zones [m]
   Vector low_, high_;                // of the domain; infinite at sides without a distance
   PointGrid<D> wall_points_;
 };

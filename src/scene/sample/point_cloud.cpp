@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include "core/input_file.h"
+#include "core/table_text.h"
+#include "formats/column_names.h"
 #include "formats/point_sink.h"
 #include "freshet/error.h"
 
@@ -21,38 +23,62 @@ class PointColumns final : public PointSink {
 
   PointCloud cloud;
 
-  void name(const std::string& column, std::size_t place) override {
-    static constexpr const char* names[] = {"x", "y", "z", "vx", "vy", "vz"};
-    for (int k = 0; k < 6; ++k)
-      if (column == names[k]) {
-        if (place_[k] >= 0) fail(fmt::format("{} is named twice; name every column once", column));
-        place_[k] = std::ptrdiff_t(place);
-      }
-  }
-  void check() const override;
+  void name(const std::string& column, std::size_t place) override;
+  void skip(const std::string& array) override { cloud.unused.push_back(array); }
+  void check() override;
   bool reads(std::size_t place) const override {
     return std::find(place_, place_ + 6, std::ptrdiff_t(place)) != place_ + 6;
   }
   void add(const std::vector<double>& values) override;
 
  private:
+  void drop_uncertain();
   bool has_velocity() const { return place_[3] >= 0 || place_[4] >= 0 || place_[5] >= 0; }
 
   int dimension_;
   std::ptrdiff_t place_[6] = {-1, -1, -1, -1, -1, -1};
+  bool certain_[6] = {};
+  std::vector<std::pair<std::string, std::size_t>> columns_;
 };
 
-void PointColumns::check() const {
+void PointColumns::name(const std::string& column, std::size_t place) {
+  columns_.emplace_back(column, place);
+  const auto known = point_column(column);
+  if (!known) return;
+  const auto k = std::size_t(known->component);
+  if (place_[k] >= 0 && certain_[k] == known->certain)
+    fail(fmt::format("{} is named twice; name every column once", column));
+  if (place_[k] >= 0 && certain_[k]) return;
+  place_[k] = std::ptrdiff_t(place);
+  certain_[k] = known->certain;
+}
+
+/// u, v and w are velocities if all of them are there and nothing else is.
+void PointColumns::drop_uncertain() {
+  bool together = true;
+  for (int k = 0; k < dimension_; ++k) together &= place_[3 + k] >= 0 && !certain_[3 + k];
+  for (int k = 3; k < 6; ++k)
+    if (!together && !certain_[k]) place_[k] = -1;
+}
+
+void PointColumns::check() {
+  drop_uncertain();
+  std::vector<std::string> names;
+  for (const auto& [column, place] : columns_) {
+    names.push_back(column);
+    if (!reads(place)) cloud.unused.push_back(column);
+  }
   static constexpr const char* axes[] = {"x", "y", "z"};
   for (int k = 0; k < dimension_; ++k)
     if (place_[k] < 0)
-      fail(fmt::format("{} is missing; a {}D scene needs x, y{} and optionally {}", axes[k],
-                       dimension_, dimension_ == 3 ? ", z" : "",
-                       dimension_ == 3 ? "vx, vy, vz" : "vx, vy"));
+      fail(fmt::format("{} is missing; a {}D scene needs x, y{} and optionally {}; columns found: {}",
+                       axes[k], dimension_, dimension_ == 3 ? ", z" : "",
+                       dimension_ == 3 ? "vx, vy, vz" : "vx, vy", listed_names(names)));
   for (int k = 0; k < dimension_; ++k)
     if (has_velocity() && place_[3 + k] < 0)
-      fail(fmt::format("v{} is missing, and another velocity is present; write all {} or none",
-                       axes[k], dimension_));
+      fail(fmt::format(
+          "v{} is missing, and another velocity is present; write all {} or none; columns found: {}", axes[k],
+          dimension_, listed_names(names)));
 }
 
 void PointColumns::add(const std::vector<double>& values) {
@@ -74,7 +100,7 @@ void PointColumns::add(const std::vector<double>& values) {
 
 PointCloud points_in(std::string_view bytes, const std::filesystem::path& file, int dimension) {
   PointColumns columns(file.string(), dimension);
-  const std::string extension = file.extension().string();
+  const std::string extension = plain_name(file.extension().string());
   if (extension == ".ply") read_ply(bytes, columns);
   else if (extension == ".vtp") read_vtp(bytes, columns);
   else if (extension == ".csv") read_csv(bytes, columns);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -9,7 +10,8 @@ namespace freshet {
 /// Points of a file, D numbers each. SI units.
 struct PointCloud {
   std::vector<double> x;
-  std::vector<double> v;  ///< velocities; empty if the file has none
+  std::vector<double> v;            ///< velocities; empty if the file has none
+  std::vector<std::string> unused;  ///< names of the columns that are not read
 };
 
 /// Reads the vertices of a PLY file (x, y, z and optionally vx, vy, vz), the points of a VTP file

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <random>
 
+#include "scene/check/findings.h"
 #include "scene/model/expressions.h"
 #include "scene/sample/hydrostatic.h"
 #include "scene/sample/places.h"
@@ -36,7 +39,9 @@ template <int D> class FluidSampler {
       append(all.v, places.velocities().empty() ? velocity : places.velocities()[i]);
       return true;
     });
-    Expressions field(f.velocity_field);
+    Expressions field(f.velocity_field), force(s_.domain.body_force);
+    const std::string velocity_at = place_of(s_, fmt::format("fluid[{}].velocity_field", number)),
+                      force_at = place_of(s_, "domain.body_force");
     for (std::size_t i = 0; i < x.size(); ++i) {
       Vec<D>& a = x[i];
       shake(a);
@@ -44,7 +49,12 @@ template <int D> class FluidSampler {
       all.density.push_back(Real(f.rest_density * compression));
       if (tells_pressure_) all.pressure.push_back(Real(pressure));
       all.outside += is_outside(a);
-      if (!field.empty()) replace(all.v, all.v.size() - (x.size() - i) * D, field, a);
+      if (!field.empty()) {
+        const auto v = values(field, f.velocity_field, {}, "fluid.velocity_field", velocity_at, a);
+        std::transform(v.begin(), v.end(), all.v.end() - std::ptrdiff_t((x.size() - i) * D),
+                       [](double k) { return Real(k); });
+      }
+      if (!force.empty()) values(force, s_.domain.body_force, 0, "domain.body_force", force_at, a);
       append(all.x, a);
     }
     if (several_liquids_) all.liquid.resize(all.density.size(), s_.liquid_of(number));
@@ -54,12 +64,17 @@ template <int D> class FluidSampler {
   static void append(std::vector<Real>& to, Vec<D> a) {
     for (int k = 0; k < D; ++k) to.push_back(component(a, k));
   }
-  /// Replaces D numbers from v[place] on by the values of the functions at x.
-  static void replace(std::vector<Real>& v, std::size_t place, Expressions& field, Vec<D> x) {
-    double at[3] = {}, value[3];
+  /// The values of a key's functions at a place at the start. Throws if one is not finite.
+  std::array<double, D> values(Expressions& of, const std::vector<std::string>& functions,
+                               std::optional<double> t, const char* key, const std::string& place,
+                               Vec<D> x) const {
+    double at[3] = {};
+    std::array<double, D> value{};
     for (int k = 0; k < D; ++k) at[k] = double(component(x, k));
-    field(at, 0, value);
-    for (std::size_t k = 0; k < D; ++k) v[place + k] = Real(value[k]);
+    of(at, 0, value.data());
+    if (const auto error = not_finite(functions, key, at, t, value.data()))
+      throw Error(Error::Kind::scene, place, *error);
+    return value;
   }
   /// The last axis is drawn first, as g++ evaluates the article's arguments.
   void shake(Vec<D>& x) {

@@ -42,7 +42,8 @@ struct SideLattice {
     for (int k = 0; k < s.dimension(); ++k) {
       const auto j = std::size_t(k);
       const double length = s.domain.max[j] - s.domain.min[j];
-      n.push_back(std::max<std::int64_t>(1, std::llround(length / s.particles.spacing)));
+      n.push_back(
+          std::max<std::int64_t>(1, std::llround(std::min(length / s.particles.spacing, 9e15))));
       cell.push_back(length / double(n.back()));
       const bool images = s.periodic(k) && layers > 0;
       beyond.push_back(images ? std::int64_t(std::ceil(support_radius(s) / cell.back())) : layers);
@@ -199,7 +200,7 @@ double most_samples(const Scene& s, const Scene::Region& w, double layers) {
 
 int wall_layers(const Scene& s, WallMethod method) {
   if (method == WallMethod::adami2012)
-    return int(std::ceil(support_radius(s) / s.particles.spacing * (1 - 1e-9)));
+    return int(std::min(std::ceil(support_radius(s) / s.particles.spacing * (1 - 1e-9)), 1e6));
   return method == WallMethod::akinci2012 || method == WallMethod::monaghan2009;
 }
 
