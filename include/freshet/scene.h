@@ -112,9 +112,8 @@ struct Scene {
     double start = 0;
     std::optional<double> stop;  // never if empty
     std::string recycle;         // name of an outlet whose particles this inlet emits again
-    double rest_density = 1000;
-    double viscosity = 0.001;
-    std::string color;  // see Fluid::color
+    std::optional<double> rest_density, viscosity;  // of Scene::inlet_liquid() if not set
+    std::string color;                              // see Fluid::color
   };
   /// Removes the liquid that enters its region. The name defaults to "outlet[k]".
   struct Outlet : Region {
@@ -292,6 +291,9 @@ struct Scene {
   };
   /// The distinct liquids, in the order of their first fluid or inlet; fluids come first.
   std::vector<Liquid> liquids() const;
+  /// The liquid of the k-th inlet: what it does not set is the first fluid's, or the default where
+  /// there is no fluid.
+  Liquid inlet_liquid(std::size_t k) const;
   /// The index of the k-th fluid's liquid in liquids().
   int liquid_of(std::size_t k) const;
   /// As set. Default: antuono2010 for several liquids, else fourtakas2019, which subtracts the
@@ -315,7 +317,8 @@ struct Scene {
   std::string body_name(std::size_t k) const;
 };
 
-/// A key and the value that replaces the scene's. The value is parsed as TOML; if that fails, it is a string.
+/// A key and the value that replaces the scene's. The value is parsed as TOML; if that fails, it is
+/// a string.
 using Override = std::pair<std::string, std::string>;
 
 /// Loads and checks a scene.

@@ -2,6 +2,7 @@
 /// The parameters of each solver from the numbers of a plan.
 #pragma once
 #include <algorithm>
+#include <cmath>
 
 #include "engine/plan.h"
 #include "forces/force.h"
@@ -49,6 +50,9 @@ template <int D> Confinement<D> confinement(const EnginePlan& p) {
   c.box = {vec_of<D, Real>(p.min), vec_of<D, Real>(p.max), Real(p.restitution), p.reflecting_sides,
            p.article};
   c.liquids = liquids_of(p);
+  for (int k = 0; k < D; ++k)
+    c.slack = std::max(c.slack, Real(1e-6 * std::max(std::abs(p.min[std::size_t(k)]),
+                                                     std::abs(p.max[std::size_t(k)]))));
   for (int k = 0; k < D; ++k)
     if (p.periodic[std::size_t(k)])
       component(c.period, k) = Real(p.max[std::size_t(k)] - p.min[std::size_t(k)]);

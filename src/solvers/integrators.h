@@ -57,8 +57,9 @@ template <class Fluid, class Confinement> struct EulerStep {
   Real dt;
   FRESHET_HD void operator()(int i) const {
     f.evolve(i, Kick{dt});
-    f.x[i] += dt * f.v[i];
-    confine(i, f, f.v[i]);
+    const auto drift = dt * f.v[i];
+    f.x[i] += drift;
+    confine(i, f, f.v[i], drift);
   }
 };
 
@@ -70,8 +71,9 @@ template <class Fluid, class Confinement> struct KickDrift {
   Real dt;
   FRESHET_HD void operator()(int i) const {
     f.evolve(i, HalfKick{dt / 2});
-    f.x[i] += dt * f.v_memory[i];
-    confine(i, f, f.v_memory[i]);
+    const auto drift = dt * f.v_memory[i];
+    f.x[i] += drift;
+    confine(i, f, f.v_memory[i], drift);
     f.evolve(i, SecondKick{dt / 2});
   }
 };
@@ -90,8 +92,9 @@ template <class Fluid, class Confinement> struct HalfDrift {
   Confinement confine;
   Real dt;
   FRESHET_HD void operator()(int i) const {
-    f.x[i] += dt / 2 * f.v[i];
-    confine(i, f, f.v[i]);
+    const auto drift = dt / 2 * f.v[i];
+    f.x[i] += drift;
+    confine(i, f, f.v[i], drift);
     f.evolve(i, Predict{dt / 2});
   }
 };
@@ -102,8 +105,9 @@ template <class Fluid, class Confinement> struct KickHalfDrift {
   Real dt;
   FRESHET_HD void operator()(int i) const {
     f.evolve(i, SecondKick{dt});
-    f.x[i] += dt / 2 * f.v[i];
-    confine(i, f, f.v[i]);
+    const auto drift = dt / 2 * f.v[i];
+    f.x[i] += drift;
+    confine(i, f, f.v[i], drift);
   }
 };
 

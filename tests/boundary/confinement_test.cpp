@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace freshet {
 namespace {
 
@@ -10,7 +12,7 @@ namespace {
 template <int D> void apply(const Confinement<D>& c, Vec<D>& x, Vec<D>& v) {
   FluidParticles<D> f{};
   f.x.data = &x;
-  c(0, f, v);
+  c(0, f, v, Vec<D>{});
 }
 
 TEST(Confinement, RecordsTheVelocityChangeByEachWall) {
@@ -73,8 +75,58 @@ TEST(Confinement, NotesBouncesOverTheLightness) {
   FluidParticles<2> f{};
   f.x.data = &x;
   f.kind.data = &kind;
-  c(0, f, v);
+  c(0, f, v, Vec<2>{});
   EXPECT_EQ(1, bounced[0].x) << "4 m/s over 4";
+}
+
+/// A wall from x = 1 to 1.2 that ends at the floor of the domain.
+Reflector<2> wall_to_the_floor() {
+  return {{SolidKind::box, {1.1f, 0.5f}, {0.1f, 0.5f}, {}, 0, 0, false}, 0.5f};
+}
+
+/// Where a particle is after it drifted to x by `drift`.
+Vec<2> confined(Confinement<2> c, std::vector<Reflector<2>> shapes, Vec<2> x, Vec<2> drift,
+                Vec<2>* v_out = nullptr) {
+  c.shapes.data = shapes.data();
+  c.shape_count = int(shapes.size());
+  c.slack = 1e-6f;
+  Vec<2> v = Real(100) * drift;
+  FluidParticles<2> f{};
+  f.x.data = &x;
+  c(0, f, v, drift);
+  if (v_out) *v_out = v;
+  return x;
+}
+
+// The nearest face of the wall is its bottom, behind the floor.
+TEST(Confinement, DoesNotPushThroughTheEndOfAWall) {
+  Confinement<2> c{};
+  c.box = {{0, 0}, {2, 1}, 0.5f, 0b1111, false};
+  Vec<2> v{};
+  const Vec<2> x = confined(c, {wall_to_the_floor()}, {1.02f, 0.005f}, {0.03f, -0.005f}, &v);
+  EXPECT_NEAR(1, x.x, 1e-4);
+  EXPECT_GE(x.y, 0);
+  EXPECT_LT(v.x, 0) << "reflected by the face that it met";
+}
+
+// The nearest face of either box is the seam.
+TEST(Confinement, HoldsAtTheSeamOfTwoWalls) {
+  const Reflector<2> left{{SolidKind::box, {0.5f, 0.4f}, {0.5f, 0.1f}, {}, 0, 0, false}, 0.5f},
+      right{{SolidKind::box, {1.5f, 0.4f}, {0.5f, 0.1f}, {}, 0, 0, false}, 0.5f};
+  Confinement<2> c{};
+  c.box = {{0, 0}, {2, 1}, 0.5f, 0b1111, false};
+  for (const Real x : {0.995f, 1.0f, 1.005f}) {
+    Vec<2> v{};
+    const Vec<2> at = confined(c, {left, right}, {x, 0.48f}, {0.001f, -0.03f}, &v);
+    EXPECT_GE(at.y, 0.5f - 1e-4f) << x;
+    EXPECT_GT(v.y, 0) << x;
+  }
+}
+
+TEST(Confinement, HoldsAWallThatIsThinnerThanTheDrift) {
+  const Reflector<2> thin{{SolidKind::box, {1, 0.5f}, {0.01f, 0.5f}, {}, 0, 0, false}, 0.5f};
+  const Vec<2> x = confined(Confinement<2>{}, {thin}, {1.02f, 0.5f}, {0.05f, 0});
+  EXPECT_LT(x.x, 0.99f + 1e-4f);
 }
 
 }  // namespace

@@ -311,6 +311,22 @@ TEST(Inlet, EmitsItsOwnLiquid) {
   }
 }
 
+TEST(Inlet, EmitsTheFirstFluidsLiquidUnlessItSetsAnother) {
+  const std::string fluid =
+      "[[fluid]]\nmin = [1, 0]\nmax = [1.6, 0.2]\nrest_density = 900\nviscosity = 0.5\n"
+      "color = \"#ff0000\"\n";
+  const std::vector<Override> morris{{"solver.viscosity_method", "morris1997"}};
+  const Scene same = parse_scene(jet("speed = 2\n" + fluid, fixed), "test.toml", morris);
+  EXPECT_EQ(1u, same.liquids().size());
+  const Scene::Liquid liquid = same.inlet_liquid(0);
+  EXPECT_EQ(900, liquid.rest_density);
+  EXPECT_EQ(0.5, liquid.viscosity);
+  EXPECT_EQ("#ff0000", liquid.color);
+  const Scene other =
+      parse_scene(jet("speed = 2\nviscosity = 0.1\n" + fluid, fixed), "test.toml", morris);
+  EXPECT_EQ(2u, other.liquids().size()) << "inlet.viscosity is used with morris1997";
+}
+
 // The openings are a disc and a rectangle in an oblique plane.
 TEST(Inlet, EmitsItsFlowRateIn3D) {
   for (const char* opening : {"radius = 0.16\n", "width = 0.3\nheight = 0.2\nup = [0, 0, 1]\n"}) {

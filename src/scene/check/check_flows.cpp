@@ -167,13 +167,16 @@ void check_liquid(const Scene& s, std::size_t k, Findings& out) {
   const Scene::Inlet& in = s.inlet[k];
   const std::string at = fmt::format("inlet[{}].", k);
   const auto liquids = s.liquids();
-  if (s.method().weakly_compressible())
+  if (s.viscosity_method() == ViscosityMethod::artificial && s.air.drag == Drag::none)
     out.unused(
         at + "viscosity", "inlet.viscosity",
-        fmt::format("{} has solver.artificial_viscosity instead; remove it", s.method().name));
-  const char* key = in.rest_density != liquids[0].rest_density ? "rest_density"
-                    : in.viscosity != liquids[0].viscosity     ? "viscosity"
-                                                               : nullptr;
+        fmt::format("{} has solver.artificial_viscosity instead, unless solver.viscosity_method is "
+                    "another; remove it",
+                    s.method().name));
+  const Scene::Liquid own = s.inlet_liquid(k);
+  const char* key = own.rest_density != liquids[0].rest_density ? "rest_density"
+                    : own.viscosity != liquids[0].viscosity     ? "viscosity"
+                                                                : nullptr;
   if (key && !s.method().has_boundary_particles())
     out.error(at + key, fmt::format("inlet[{}] and {}[0] differ in {}; {} supports "
                                     "one liquid only; make them equal, or choose another "

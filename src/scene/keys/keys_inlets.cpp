@@ -59,17 +59,19 @@ void inlet_keys(KeyVisitor& v, Scene::Inlet& in) {
            {.unit = "s", .text = "end of the flow", .min = 0, .above = true, .fallback = "never"});
   v.text("recycle", in.recycle,
          {.unit = "", .text = "name of the outlet that supplies this inlet", .fallback = "none"});
-  v.number(
-      "rest_density", in.rest_density,
-      {.unit = density_unit, .text = "density at zero pressure (ρ0)", .min = 0, .above = true});
+  v.number("rest_density", in.rest_density,
+           {.unit = density_unit,
+            .text = "density at zero pressure (ρ0)",
+            .min = 0,
+            .above = true,
+            .fallback = "that of the first fluid"});
   v.number("viscosity", in.viscosity,
            {.unit = "Pa s",
-            .text = "dynamic viscosity (μ); `mueller2003` and the pressure solvers",
-            .min = 0});
+            .text = "dynamic viscosity (μ), as `fluid.viscosity`",
+            .min = 0,
+            .fallback = "that of the first fluid"});
   v.text("color", in.color,
-         {.unit = "",
-          .text = "colour, as `fluid.color`",
-          .fallback = "colour of the liquid by its position in the list"});
+         {.unit = "", .text = "colour, as `fluid.color`", .fallback = "that of the first fluid"});
 }
 
 void outlet_keys(KeyVisitor& v, Scene::Outlet& out) {

@@ -97,7 +97,7 @@ InletPlan inlet_plan(const Scene& s, const Scene::Inlet& in) {
   plan.speed = in.speed ? *in.speed : in.flow_rate.value_or(0) / area;
   plan.rate = plan.speed * area;
   const auto liquids = s.liquids();
-  const Scene::Liquid liquid{in.rest_density, in.viscosity, in.color};
+  const Scene::Liquid liquid = s.inlet_liquid(std::size_t(&in - s.inlet.data()));
   plan.liquid = int(std::find(liquids.begin(), liquids.end(), liquid) - liquids.begin());
   plan.start = in.start;
   plan.stop = in.stop.value_or(std::numeric_limits<double>::infinity());

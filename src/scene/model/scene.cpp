@@ -30,13 +30,19 @@ Integrator Scene::integrator() const { return time.integrator.value_or(method().
 
 std::vector<Scene::Liquid> Scene::liquids() const {
   std::vector<Liquid> all;
-  const auto add = [&](const auto& f) {
-    const Liquid liquid{f.rest_density, f.viscosity, f.color};
+  const auto add = [&](const Liquid& liquid) {
     if (std::find(all.begin(), all.end(), liquid) == all.end()) all.push_back(liquid);
   };
-  for (const Fluid& f : fluid) add(f);
-  for (const Inlet& in : inlet) add(in);
+  for (const Fluid& f : fluid) add({f.rest_density, f.viscosity, f.color});
+  for (std::size_t k = 0; k < inlet.size(); ++k) add(inlet_liquid(k));
   return all;
+}
+
+Scene::Liquid Scene::inlet_liquid(std::size_t k) const {
+  const Fluid none, &first = fluid.empty() ? none : fluid[0];
+  const Inlet& in = inlet[k];
+  return {in.rest_density.value_or(first.rest_density), in.viscosity.value_or(first.viscosity),
+          in.color.empty() ? first.color : in.color};
 }
 
 int Scene::liquid_of(std::size_t k) const {
