@@ -46,10 +46,10 @@ template <int D> struct Confinement {
   Liquids liquids;
   int walls() const { return box.sides || shape_count ? 2 + shape_count : 0; }
 
-  /// Confines particle i of f, whose velocity is v and which has just moved by `drift`.
-  FRESHET_HD void operator()(int i, const FluidParticles<D>& f, Vec<D>& v, Vec<D> drift) const {
+  /// Confines particle i of f, whose velocity is v and which has just drifted `from` a place.
+  FRESHET_HD void operator()(int i, const FluidParticles<D>& f, Vec<D>& v, Vec<D> from) const {
     Vec<D>& x = f.x[i];
-    const Vec<D> from = x - drift;
+    const Vec<D> drift = x - from;
     Vec<D> x_new = x, v_new = v;
     if (box.sides) box(x_new, v_new);
     Real nearest = norm(drift) + 1;

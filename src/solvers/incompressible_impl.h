@@ -121,9 +121,9 @@ void Incompressible<D, B, Kernel>::drift(B& backend, const BaseFluid& fluid, Rea
   const auto confine = c.confine;
   backend.for_each("drift", f, [=] FRESHET_LAMBDA(int i) {
     f.p[i] = f.k[i] * square(f.rho[i]);
-    const Vec<D> drift = dt * f.v[i];
-    f.x[i] += drift;
-    confine(i, f, f.v[i], drift);
+    const Vec<D> from = f.x[i];
+    f.x[i] += dt * f.v[i];
+    confine(i, f, f.v[i], from);
   });
 }
 

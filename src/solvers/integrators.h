@@ -57,9 +57,9 @@ template <class Fluid, class Confinement> struct EulerStep {
   Real dt;
   FRESHET_HD void operator()(int i) const {
     f.evolve(i, Kick{dt});
-    const auto drift = dt * f.v[i];
-    f.x[i] += drift;
-    confine(i, f, f.v[i], drift);
+    const auto from = f.x[i];
+    f.x[i] += dt * f.v[i];
+    confine(i, f, f.v[i], from);
   }
 };
 
@@ -71,9 +71,9 @@ template <class Fluid, class Confinement> struct KickDrift {
   Real dt;
   FRESHET_HD void operator()(int i) const {
     f.evolve(i, HalfKick{dt / 2});
-    const auto drift = dt * f.v_memory[i];
-    f.x[i] += drift;
-    confine(i, f, f.v_memory[i], drift);
+    const auto from = f.x[i];
+    f.x[i] += dt * f.v_memory[i];
+    confine(i, f, f.v_memory[i], from);
     f.evolve(i, SecondKick{dt / 2});
   }
 };
@@ -92,9 +92,9 @@ template <class Fluid, class Confinement> struct HalfDrift {
   Confinement confine;
   Real dt;
   FRESHET_HD void operator()(int i) const {
-    const auto drift = dt / 2 * f.v[i];
-    f.x[i] += drift;
-    confine(i, f, f.v[i], drift);
+    const auto from = f.x[i];
+    f.x[i] += dt / 2 * f.v[i];
+    confine(i, f, f.v[i], from);
     f.evolve(i, Predict{dt / 2});
   }
 };
@@ -105,9 +105,9 @@ template <class Fluid, class Confinement> struct KickHalfDrift {
   Real dt;
   FRESHET_HD void operator()(int i) const {
     f.evolve(i, SecondKick{dt});
-    const auto drift = dt / 2 * f.v[i];
-    f.x[i] += drift;
-    confine(i, f, f.v[i], drift);
+    const auto from = f.x[i];
+    f.x[i] += dt / 2 * f.v[i];
+    confine(i, f, f.v[i], from);
   }
 };
 

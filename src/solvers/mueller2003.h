@@ -48,11 +48,11 @@ template <int D> struct ArticleStep {
   Real dt, speed_limit;
   FRESHET_HD void operator()(int i) const {
     f.v[i] += dt * f.a[i];
-    const Vec<D> drift = dt * f.v[i];
-    f.x[i] += drift;
+    const Vec<D> from = f.x[i];
+    f.x[i] += dt * f.v[i];
     const Real speed = norm(f.v[i]);
     if (speed > speed_limit) f.v[i] = speed_limit / speed * f.v[i];
-    confine(i, f, f.v[i], drift);
+    confine(i, f, f.v[i], from);
   }
 };
 

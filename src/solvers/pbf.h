@@ -47,7 +47,7 @@ struct Pbf : Incompressible<D, B, Kernel> {
     this->push_without_pressure(backend, f, w, dt, Vec<D>{});  // line 22: eq. 17
     backend.for_each("kick", f, [=] FRESHET_LAMBDA(int i) {
       f.a[i] += g + f.moved[i] / (dt * dt);
-      confine(i, f, f.v[i], f.moved[i]);
+      confine(i, f, f.v[i], f.x[i] - f.moved[i]);
     });
     return {density};
   }
@@ -59,9 +59,9 @@ struct Pbf : Incompressible<D, B, Kernel> {
     const auto confine = c.confine;
     backend.for_each("predict", f, [=] FRESHET_LAMBDA(int i) {
       f.v[i] += dt * g;
-      const Vec<D> drift = dt * f.v[i];
-      f.x[i] += drift;
-      confine(i, f, f.v[i], drift);
+      const Vec<D> from = f.x[i];
+      f.x[i] += dt * f.v[i];
+      confine(i, f, f.v[i], from);
     });
   }
 

@@ -12,7 +12,7 @@ namespace {
 template <int D> void apply(const Confinement<D>& c, Vec<D>& x, Vec<D>& v) {
   FluidParticles<D> f{};
   f.x.data = &x;
-  c(0, f, v, Vec<D>{});
+  c(0, f, v, x);
 }
 
 TEST(Confinement, RecordsTheVelocityChangeByEachWall) {
@@ -75,7 +75,7 @@ TEST(Confinement, NotesBouncesOverTheLightness) {
   FluidParticles<2> f{};
   f.x.data = &x;
   f.kind.data = &kind;
-  c(0, f, v, Vec<2>{});
+  c(0, f, v, x);
   EXPECT_EQ(1, bounced[0].x) << "4 m/s over 4";
 }
 
@@ -93,7 +93,7 @@ Vec<2> confined(Confinement<2> c, std::vector<Reflector<2>> shapes, Vec<2> x, Ve
   Vec<2> v = Real(100) * drift;
   FluidParticles<2> f{};
   f.x.data = &x;
-  c(0, f, v, drift);
+  c(0, f, v, x - drift);
   if (v_out) *v_out = v;
   return x;
 }

@@ -90,12 +90,12 @@ TEST(ReadInput, RejectsAFileThatIsTooLarge) {
 // A reader that opens a FIFO waits for a writer, and this test does not end.
 TEST(ReadInput, EveryReaderRejectsAFifo) {
   const TemporaryFolder folder;
-  const auto refused = [&](const std::string& name, const std::function<void(fs::path)>& read) {
+  const auto refused = [&](const std::string& name, const std::function<void(fs::path)>& read,
+                           const char* why = "not a regular file but a named pipe") {
     const fs::path file = folder / name;
     fs::create_directories(file.parent_path());
     ASSERT_EQ(0, ::mkfifo(file.c_str(), 0600)) << name;
-    EXPECT_TRUE(contains(message_of([&] { read(file); }), "not a regular file but a named pipe"))
-        << name;
+    EXPECT_TRUE(contains(message_of([&] { read(file); }), why)) << name;
   };
   refused("scene.toml", [](const fs::path& file) { load_scene(file); });
   refused("points.csv", [](const fs::path& file) { read_points(file, 2); });
@@ -105,10 +105,13 @@ TEST(ReadInput, EveryReaderRejectsAFifo) {
   refused("table.csv", [](const fs::path& file) { read_table(file); });
   refused("frame.h5", [](const fs::path& file) { read_frame(file); });
   refused("step.h5", [](const fs::path& file) { read_checkpoint(file); });
-  refused("run/manifest.json", [](const fs::path& file) {
-    RunFolder run(FolderLock::of_new(file.parent_path()));
-    run.take(RunFolder::Take::overwrite, {}, {});
-  });
+  refused(
+      "run/manifest.json",
+      [](const fs::path& file) {
+        RunFolder run(FolderLock::of_new(file.parent_path()));
+        run.take(RunFolder::Take::overwrite, {}, {});
+      },
+      "not a manifest of Freshet");
 }
 
 }  // namespace

@@ -63,17 +63,18 @@ TEST(RunFailure, ExceptionOfTheCallerIsRethrown) {
 }
 
 // A folder in the place of the temporary file makes each write of a file fail, as a full disk does.
-TEST(RunFailure, RunThatCannotBeginHasFailed) {
+TEST(RunFailure, RunThatCannotBeginLeavesNoManifest) {
   const TemporaryFolder folder;
   fs::create_directories(folder / "run/scene.toml.part");
   EXPECT_THROW(run(small_scene(), options_for(folder / "run")), Error);
-  EXPECT_EQ("failed", manifest_of(folder / "run").at("state"));
+  EXPECT_FALSE(fs::exists(folder / "run/manifest.json"));
 }
 
 TEST(RunFailure, ManifestIsMarkedWhereItCannotBeReplaced) {
   const TemporaryFolder folder;
   RunFolder run(FolderLock::of_new(folder / "run"));
-  run.take(RunFolder::Take::empty, {"a", "b"}, {{"freshet", "run \xff\n\"x\""}, "cpu", "plain", 1});
+  run.take(RunFolder::Take::empty, {{"a", "b"}, {}},
+           {{"freshet", "run \xff\n\"x\""}, "cpu", "plain", 1});
   const Json before = manifest_of(folder / "run");
   EXPECT_EQ("running", before.at("state"));
   EXPECT_EQ("run \xef\xbf\xbd\n\"x\"", before.at("command").at(1));

@@ -54,11 +54,13 @@ TEST_F(PathFile, OfOtherColumnsNeedsNames) {
       "as time,x,angle",
       error_of("0,0\n1,0.5\n"));
   EXPECT_EQ(
-      "path.csv:1: error: the column \"height\" is none of time, x, y and angle, which the first "
-      "line names; remove it or rename it",
+      "path.csv:1: error: the name of column 2 is unknown; the first line may name time, x, y and "
+      "angle, as in \"time,x,y\"; remove the column or rename it",
       error_of("time,height\n0,0\n1,0.5\n"));
-  EXPECT_EQ("path.csv:3: error: \"half\" is no number; write numbers like 0.5 or 1e-3",
-            error_of("time,x\n0,0\n1,half\n"));
+  EXPECT_EQ(
+      "path.csv:3: error: the value in column 2 is not a finite number; write numbers like 0.5 or "
+      "1e-3",
+      error_of("time,x\n0,0\n1,half\n"));
 }
 
 }  // namespace

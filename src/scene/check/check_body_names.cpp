@@ -38,7 +38,7 @@ bool check_body_reach(const Scene& s, std::size_t k, Findings& out) {
   }
   if (!(gap > 0)) return true;
   out.error(fmt::format("body[{}]", k),
-            fmt::format("{} is outside the domain{}; move it into it", s.body_name(k),
+            fmt::format("{} is outside the domain{}; move it inside", s.body_name(k),
                         gap > 10 * domain
                             ? fmt::format(", {:.4g} m away from it; all lengths are in metres", gap)
                             : ""));

@@ -200,14 +200,14 @@ void check_room(const Scene& s, const FluidCount& fluids, Findings& out) {
     const bool empty = s.dimension() == 2 ? is_empty<2>(s, f) : is_empty<3>(s, f);
     if (empty)
       out.error(fmt::format("fluid[{}].", k),
-                fmt::format("fluid[{}] is empty: no place of its lattice lies inside its shape and "
-                            "off the walls; move it, or make the spacing smaller",
+                fmt::format("fluid[{}] is empty: no place of its lattice is inside its shape and "
+                            "far enough from walls; move it, or make the spacing smaller",
                             k));
   }
   for (const auto& [j, k] : overlapping_fluids(s, fluids.good))
     out.error(fmt::format("fluid[{}].{}", k, key_of_end(s.fluid[k], true)),
-              fmt::format("fluid[{}] overlaps fluid[{}]: their particles would lie less than "
-                          "half a spacing apart; move one",
+              fmt::format("fluid[{}] overlaps fluid[{}]: their particles would be less than "
+                          "half a spacing apart; move one of them",
                           k, j));
 }
 
