@@ -32,7 +32,7 @@ template <int D> struct Reflector {
 /// side. It then stays where its path first meets a wall.
 ///
 ///   period      length of each periodic axis [m], else 0
-///   slack       rounding of positions [m]: a particle so deep in a wall came from its surface
+///   slack       rounding of positions [m]: so far in front of shapes particles stop
 ///   bounced     per place of a particle and wall, the sum of the velocity changes, each over the
 ///               lightness of its particle [m/s]: the low sides of the domain, its high sides, then
 ///               each shape; no memory: not recorded
@@ -58,13 +58,14 @@ template <int D> struct Confinement {
       shapes[s](x_new, v_new);
     }
     const bool near = shape_count > 0 && nearest < norm(drift);
-    if (near && is_free(from, slack) && !is_open(from, x_new)) stop(i, f, v, from, drift);
+    if (near && is_free(from, 2 * slack) && !is_open(from, x_new)) stop(i, f, v, from, drift);
     else bounce(i, f, v);
     for (int k = 0; k < D; ++k) wrap(x, k);
   }
 
  private:
-  /// Whether no wall is deeper than `depth` at this place.
+  /// Whether no wall is nearer than `slack`, less `depth`, at this place. The slack closes the seam
+  /// between walls that touch.
   FRESHET_HD bool is_free(Vec<D> x, Real depth = 0) const {
     Vec<D> low = box.min, high = box.max;
     for (int k = 0; k < D; ++k) {
@@ -73,7 +74,7 @@ template <int D> struct Confinement {
         return false;
     }
     for (int s = 0; s < shape_count; ++s)
-      if (shapes[s].solid.distance(x) < -depth) return false;
+      if (shapes[s].solid.distance(x) < slack - depth) return false;
     return true;
   }
   /// Whether no wall lies between two places, seen at so many of them.
@@ -129,10 +130,10 @@ template <int D> struct Confinement {
           side % 2 ? component(high, k) - component(x, k) : component(x, k) - component(low, k);
       Vec<D> n{};
       component(n, k) = side % 2 ? Real(-1) : Real(1);
-      if (d < 0) reflect(i, f, v, n, side % 2, box.restitution);
+      if (!(d > 0)) reflect(i, f, v, n, side % 2, box.restitution);
     }
     for (int s = 0; s < shape_count; ++s)
-      if (shapes[s].solid.distance(x) < 0)
+      if (shapes[s].solid.distance(x) < slack)
         reflect(i, f, v, shapes[s].solid.normal(f.x[i]), 2 + s, shapes[s].restitution);
   }
   FRESHET_HD void reflect(int i, const FluidParticles<D>& f, Vec<D>& v, Vec<D> n, int wall,

@@ -59,7 +59,7 @@ TEST_P(ReflectingWalls, HoldSloshingWaterAtTheSeamOfTwo) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Solvers, ReflectingWalls,
-                         ::testing::Values("mueller2003", "wcsph", "dfsph", "pbf"));
+                         ::testing::Values("wcsph", "delta_sph", "dfsph", "pbf"));
 
 }  // namespace
 }  // namespace freshet::test
