@@ -68,7 +68,7 @@ class Pool {
   }
   const WatchRecord& record() const { return health_->record(); }
   /// Resumes with the record of a checkpoint, as a restart does.
-  void go_on(const WatchRecord& record) {
+  void go_on(WatchRecord record) {
     health_ = std::make_unique<Health>(scene_, derived_, view());
     health_->go_on(record);
   }
