@@ -10,75 +10,10 @@
 
 #include "cli/files.h"
 #include "cli/process.h"
+#include "cli/resume.h"
 
 namespace freshet::test {
 namespace {
-
-// Frames, observables and checkpoints are written at different steps.
-constexpr const char* scene = R"([domain]
-max = [1.0, 1.0]
-[particles]
-spacing = 0.05
-[fluid]
-min = [0.0, 0.0]
-max = [0.4, 0.6]
-[[wall]]
-shape = "sphere"
-center = [0.7, 0.2]
-radius = 0.1
-method = "reflection"
-[solver]
-name = "wcsph"
-[time]
-end = 0.25
-step = 0.0005
-[output]
-frame_every_steps = 33
-observables_every_steps = 7
-checkpoint_every_steps = 20
-[picture]
-width = 64
-height = 64
-)";
-
-class Resume : public ::testing::Test {
- protected:
-  Resume() { write_text(folder / "scene.toml", scene); }
-  std::vector<std::string> arguments(const std::string& name,
-                                     const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> all{"run", (folder / "scene.toml").string(), "--output",
-                                 (folder / name).string()};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }
-  ProcessResult resume(const std::string& name, const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> all{"resume", (folder / name).string()};
-    all.insert(all.end(), more.begin(), more.end());
-    return freshet(all);
-  }
-  std::vector<fs::path> checkpoints(const std::string& name) const {
-    std::vector<fs::path> all;
-    if (fs::exists(folder / name / "checkpoints"))
-      for (const auto& entry : fs::directory_iterator(folder / name / "checkpoints"))
-        all.push_back(entry.path());
-    std::sort(all.begin(), all.end());
-    return all;
-  }
-  /// Expects equal bytes of state, tables and pictures in both runs.
-  void expect_same_run(const std::string& a, const std::string& b) const {
-    const auto files = files_below(folder / a);
-    EXPECT_EQ(files, files_below(folder / b));
-    for (const std::string& file : files) {
-      if (file.ends_with(".json") || file == "scene.toml" || file.starts_with("checkpoints/"))
-        continue;
-      EXPECT_EQ(read_text(folder / a / file), read_text(folder / b / file)) << file;
-    }
-    for (const char* key : {"state_sha256", "kept_sha256", "steps", "time_steps", "statistics"})
-      EXPECT_EQ(report_of(folder / a).at(key), report_of(folder / b).at(key)) << key;
-    expect_whole_run(folder / b);
-  }
-  const TemporaryFolder folder;
-};
 
 // Kills 5 runs, or FRESHET_KILLS of them, at random times. A kill before the first checkpoint or
 // after the end does not count.
@@ -277,44 +212,6 @@ TEST_F(Resume, FailsWithoutAnIntactCheckpointAndChangesNothing) {
   EXPECT_EQ(before, read_text(folder / "run/manifest.json"));
 }
 
-// A checkpoint knows how long each table was and its digest; the rows are in the folder only.
-TEST_F(Resume, ChecksTheTablesThatItContinues) {
-  ASSERT_EQ(freshet(arguments("whole")).code, 0);
-  ASSERT_EQ(freshet(arguments("run", {"--set", "time.end=0.1"})).code, 0);
-  const fs::path table = folder / "run/observables.csv";
-  const std::string rows = read_text(table);
-  std::string changed = rows;
-  changed[rows.size() / 2] = changed[rows.size() / 2] == '1' ? '2' : '1';
-  for (const std::string& bad : {changed, rows.substr(0, rows.size() / 2)}) {
-    write_text(table, bad);
-    const auto r = resume("run", {"--set", "time.end=0.25"});
-    EXPECT_EQ(r.code, 1);
-    EXPECT_TRUE(contains(r.err, table.string() + ": error: this table was changed after the run "
-                                                 "wrote it; put it back, or move it away"))
-        << r.err;
-    EXPECT_EQ(bad, read_text(table));
-  }
-  write_text(table, rows + "200,0.1,a row that a killed ru");
-  const auto r = resume("run", {"--set", "time.end=0.25"});
-  ASSERT_EQ(r.code, 0) << r.err;
-  expect_same_run("whole", "run");
-}
-
-TEST_F(Resume, BeginsAMissingTableAgain) {
-  ASSERT_EQ(freshet(arguments("whole")).code, 0);
-  ASSERT_EQ(freshet(arguments("run", {"--set", "time.end=0.1"})).code, 0);
-  const fs::path table = folder / "run/observables.csv";
-  fs::remove(table);
-  const auto r = resume("run", {"--set", "time.end=0.25"});
-  ASSERT_EQ(r.code, 0) << r.err;
-  EXPECT_TRUE(contains(r.err, table.string() + ": warning: this table is missing")) << r.err;
-  const std::string rows = read_text(table), all = read_text(folder / "whole/observables.csv");
-  const std::size_t header = all.find('\n') + 1;
-  EXPECT_EQ(rows.substr(0, header), all.substr(0, header));
-  EXPECT_TRUE(all.ends_with(rows.substr(header)));
-  EXPECT_TRUE(rows.substr(header).starts_with("204,")) << rows.substr(header, 20);
-}
-
 TEST_F(Resume, RejectsAFolderWithoutARun) {
   fs::create_directories(folder / "empty");
   const auto none = resume("empty");
@@ -386,7 +283,7 @@ TEST_F(Resume, NeedsNoFileOutsideTheRunFolder) {
     points +=
         std::to_string(0.1 + 0.05 * (k % 8)) + "," + std::to_string(0.1 + 0.05 * (k / 8)) + "\n";
   write_text(folder / "points.csv", points);
-  std::string text = scene;
+  std::string text = resumable_scene;
   text.replace(text.find("min = [0.0, 0.0]\nmax = [0.4, 0.6]"), 33,
                "shape = \"points\"\nfile = \"points.csv\"");
   write_text(folder / "scene.toml", text);

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+/// Tables that a resumed run continues.
+#include "cli/resume.h"
+
+namespace freshet::test {
+namespace {
+
+// A checkpoint knows how long each table was and its digest; the rows are in the folder only.
+TEST_F(Resume, ChecksTheTablesThatItContinues) {
+  ASSERT_EQ(freshet(arguments("whole")).code, 0);
+  ASSERT_EQ(freshet(arguments("run", {"--set", "time.end=0.1"})).code, 0);
+  const fs::path table = folder / "run/observables.csv";
+  const std::string rows = read_text(table);
+  std::string changed = rows;
+  changed[rows.size() / 2] = changed[rows.size() / 2] == '1' ? '2' : '1';
+  for (const std::string& bad : {changed, rows.substr(0, rows.size() / 2)}) {
+    write_text(table, bad);
+    const auto r = resume("run", {"--set", "time.end=0.25"});
+    EXPECT_EQ(r.code, 1);
+    EXPECT_TRUE(contains(r.err, table.string() + ": error: this table was changed after the run "
+                                                 "wrote it; put it back, or move it away"))
+        << r.err;
+    EXPECT_EQ(bad, read_text(table));
+  }
+  write_text(table, rows + "200,0.1,a row that a killed ru");
+  const auto r = resume("run", {"--set", "time.end=0.25"});
+  ASSERT_EQ(r.code, 0) << r.err;
+  expect_same_run("whole", "run");
+}
+
+TEST_F(Resume, BeginsAMissingTableAgain) {
+  ASSERT_EQ(freshet(arguments("whole")).code, 0);
+  ASSERT_EQ(freshet(arguments("run", {"--set", "time.end=0.1"})).code, 0);
+  const fs::path table = folder / "run/observables.csv";
+  fs::remove(table);
+  const auto r = resume("run", {"--set", "time.end=0.25"});
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_TRUE(contains(r.err, table.string() + ": warning: this table is missing")) << r.err;
+  const std::string rows = read_text(table), all = read_text(folder / "whole/observables.csv");
+  const std::size_t header = all.find('\n') + 1;
+  EXPECT_EQ(rows.substr(0, header), all.substr(0, header));
+  EXPECT_TRUE(all.ends_with(rows.substr(header)));
+  EXPECT_TRUE(rows.substr(header).starts_with("204,")) << rows.substr(header, 20);
+}
+
+}  // namespace
+}  // namespace freshet::test
