@@ -36,7 +36,7 @@ template <int D> struct ForceParameters {
   Real nu_t, Theta;     ///< of Bender 2017 [m^2/s, m^2]
   Iterations implicit;  ///< of Weiler 2018
   Air<D> air;
-  Real c0;                ///< speed of sound; 0 where there is none [m/s]
+  Real c0;                ///< speed of sound; 0 for a solver without sound [m/s]
   Real W_spacing;         ///< W at the distance of one spacing [1/m^D]
   Real neighbors_inside;  ///< in a resting lattice
   Real depth;             ///< mean of |x| in W [m]

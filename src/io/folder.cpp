@@ -41,7 +41,8 @@ Folder::Folder(fs::path path)
   if (!folder_.good()) fail_file(path_, "open this folder", errno);
 }
 
-/// The folder that a file is in. Not good if there is none; errno has the reason.
+/// Opens the folder that holds a file. The descriptor is invalid on failure, with the reason in
+/// errno.
 Descriptor Folder::parent_of(const std::string& file, bool make) const {
   const fs::path name(file);
   if (name.is_absolute()) return not_opened(EINVAL);

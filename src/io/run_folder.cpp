@@ -197,7 +197,7 @@ void RunFolder::finish(std::string_view state) {
 }
 
 /// The text is put together without JSON values: destroying those takes memory, and the process
-/// ends where there is none.
+/// ends if the allocation fails.
 void RunFolder::write_manifest(std::string_view state, const std::set<std::string>& files) {
   std::string text = "{\n";
   const auto add = [&](const char* name, const std::string& value) {

@@ -60,7 +60,7 @@ int Threads::current() {
 
 void Threads::run(int parts, const void* context, void (*part)(const void*, int)) const {
   // Without OpenMP: libgomp allocates memory where the number of threads changes, and ends the
-  // process where there is none.
+  // process if the allocation fails.
   if (parts <= 1 || count_ <= 1) {
     for (int k = 0; k < parts; ++k) part(context, k);
     return;
