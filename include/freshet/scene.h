@@ -337,6 +337,7 @@ Scene parse_scene(const std::string& text, const std::string& name,
 std::vector<Override> at_resolution(const Scene& scene, double particles);
 
 /// The warnings for a valid scene: lattice errors above 2 %, a time step above its bound, ...
+/// Throws Error (kind scene) if a function is NaN or infinite at a particle that it samples.
 std::vector<Diagnostic> scene_warnings(const Scene& scene);
 
 }  // namespace freshet

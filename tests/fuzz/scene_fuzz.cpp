@@ -80,9 +80,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(again.title == scene.title && again.steps() == scene.steps() &&
                 again.particles.spacing == scene.particles.spacing,
             "the scene changes when its source is read again", scene.source);
-    if (places_of(scene) < few_places) freshet::scene_warnings(scene);
   } catch (const freshet::Error& e) {
     require(false, e.what(), scene.source);
+  }
+  try {
+    if (places_of(scene) < few_places) freshet::scene_warnings(scene);
+  } catch (const freshet::Error& e) {
+    check_error(e, !overrides.empty());
   }
   return 0;
 }
