@@ -57,8 +57,10 @@ template <int D> class CarriedBodies {
   int places() const { return 1 << periodic_.size(); }
 
   /// psi [kg] of the particles of each body, without other bodies and walls [Akinci 2012, eqs. 4
-  /// and 5].
-  template <class Kernel> std::vector<Real> psi(const Kernel& W, Real support, Real rho0) const {
+  /// and 5], times their volume factors.
+  template <class Kernel>
+  std::vector<Real> psi(const Kernel& W, Real support, Real rho0,
+                        const std::vector<Real>& volume_factor) const {
     std::map<std::array<std::int64_t, 4>, std::vector<int>> cells;
     const auto cell = [&](int k, const int(&off)[3]) {
       const auto& x = local_[std::size_t(k)];
@@ -79,7 +81,7 @@ template <int D> class CarriedBodies {
           if (norm2(x) < square(double(support))) sum += W(Pair<D, Real>(flat(x)));
         }
       }
-      all.push_back(rho0 / sum);
+      all.push_back(rho0 / sum * volume_factor[std::size_t(k)]);
     }
     return all;
   }

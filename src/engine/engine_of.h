@@ -228,7 +228,7 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
       fill_bodies("of_layered_bodies", walls_.of_layered_bodies, walls_.adami2012, p);
     } else {
       fill_bodies("of_bodies", walls_.of_bodies, walls_.akinci2012, p);
-      fill_psi(bodies_->psi(kernel_of<D>(p), support_, rho0_));
+      fill_psi(bodies_->psi(kernel_of<D>(p), support_, rho0_, p.sample.bodies.volume_factor));
     }
     store_.backend.allocate(fluid_, Keep::scratch, walls_.rate);
     static_assert(sizeof(BodyState) == 19 * sizeof(double));

@@ -100,24 +100,36 @@ double lattice_sum(const Kernel& W, double spacing, double support_radius) {
   return sum * std::pow(spacing, D);
 }
 
-/// The distance [spacings] at which a single layer of boundary particles replaces the missing half
-/// of a lattice that fills a half space. The layer has the lattice's spacing, and its particles
-/// have the volume 1/sum_l W_kl each. At this distance the density sum of the outermost lattice
-/// layer is the rest density. It is found by bisection.
-template <int D, class Kernel>
-double single_layer_distance(const Kernel& W, double spacing, double support_radius) {
-  const auto layer = [&](double away) { return layer_sum<D>(W, spacing, support_radius, away); };
-  double missing = 0;
-  for (int k = 1; k * spacing < support_radius; ++k) missing += layer(k);
-  const double wanted =
-      layer(0) * missing * std::pow(spacing, D) / lattice_sum<D>(W, spacing, support_radius);
-  double near = 1, far = support_radius / spacing;
-  for (int step = 0; step < 40; ++step) {
-    const double middle = (near + far) / 2;
-    (layer(middle) > wanted ? near : far) = middle;
+/// A single layer of boundary particles in place of the missing half of a lattice that fills a half
+/// space. The layer has the lattice's spacing. It is right if the density sum of the outermost
+/// lattice layer is the rest density.
+template <int D, class Kernel> class SingleLayer {
+ public:
+  SingleLayer(const Kernel& W, double spacing, double support_radius)
+      : W_(W), spacing_(spacing), support_(support_radius) {
+    double missing = 0;
+    for (int k = 1; k * spacing < support_radius; ++k) missing += layer(k);
+    wanted_ =
+        layer(0) * missing * std::pow(spacing, D) / lattice_sum<D>(W, spacing, support_radius);
   }
-  return near;
-}
+  /// The volumes of its particles over 1/sum_l W_kl, for a layer `away` spacings from the lattice.
+  double volume_factor(double away) const { return wanted_ / layer(away); }
+  /// The distance [spacings] at which the factor is 1, by bisection.
+  double distance() const {
+    double near = 1, far = support_ / spacing_;
+    for (int step = 0; step < 40; ++step) {
+      const double middle = (near + far) / 2;
+      (layer(middle) > wanted_ ? near : far) = middle;
+    }
+    return near;
+  }
+
+ private:
+  double layer(double away) const { return layer_sum<D>(W_, spacing_, support_, away); }
+
+  const Kernel& W_;
+  double spacing_, support_, wanted_;
+};
 
 }  // namespace FRESHET_ISA
 }  // namespace freshet

@@ -27,7 +27,7 @@ template <int D> class Looker {
     for (int side = 0; side < 2 * D; ++side)
       open_[std::size_t(side)] = !s.periodic(side / 2) && s.side_method(side) == WallMethod::open;
     for (const Scene::Wall& wall : s.wall)
-      if (wall.shape != Shape::points) walls_.emplace_back(wall);
+      if (wall.shape != Shape::points) walls_.emplace_back(wall, s.particles.spacing);
   }
 
   Look operator()(const ParticleView& f) const {

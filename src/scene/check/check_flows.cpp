@@ -251,7 +251,7 @@ void check_neighbors(const Scene& s, std::size_t k, const std::vector<std::size_
   const auto any = [&](const auto& bad) { return std::any_of(places.begin(), places.end(), bad); };
   for (std::size_t w = 0; walls_are_good && w < s.wall.size(); ++w) {
     if (s.wall[w].shape == Shape::points) continue;
-    const RegionSurface<D> wall(s.wall[w]);
+    const RegionSurface<D> wall(s.wall[w], plan.spacing);
     if (any([&](auto x) { return wall.distance(x) < 0.49 * plan.spacing; }))
       out.error(key, fmt::format("the inlet, with the {1} layers behind its opening, is in {0} or "
                                  "closer to it than half a spacing; move it, make it smaller, or "

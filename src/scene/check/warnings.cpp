@@ -29,6 +29,7 @@ class Warnings {
     for (std::size_t k = 0; k < s_.wall.size(); ++k) mesh("wall", k, s_.wall[k]);
     for (std::size_t k = 0; k < s_.body.size(); ++k) mesh("body", k, s_.body[k]);
     for (Diagnostic& d : body_warnings(s_, d_)) list_.push_back(std::move(d));
+    for (Diagnostic& d : thin_wall_warnings(s_, d_)) list_.push_back(std::move(d));
     for (Diagnostic& d : point_warnings(s_)) list_.push_back(std::move(d));
     for (Diagnostic& d : probe_warnings(s_)) list_.push_back(std::move(d));
     return std::move(list_);

@@ -54,13 +54,16 @@ template <int D, class F> void with_kernels(const Scene& s, Real support, F f) {
   }
 }
 
-template <int D> double layer_distance(const Scene& s) {
+/// Calls f(single layer) with the layer of the scene's kernel.
+template <class F> void with_layer(const Scene& s, F f) {
   const double support = support_radius(s), spacing = s.particles.spacing;
-  double distance = 0;
-  with_kernels<D>(s, Real(support), [&](const auto& density, const auto&) {
-    distance = spacing * single_layer_distance<D>(density, spacing, support);
-  });
-  return distance;
+  const auto layer = [&]<int D>() {
+    with_kernels<D>(s, Real(support), [&]<class Kernel>(const Kernel& density, const auto&) {
+      f(SingleLayer<D, Kernel>(density, spacing, support));
+    });
+  };
+  if (s.dimension() == 2) layer.template operator()<2>();
+  else layer.template operator()<3>();
 }
 
 template <int D> void derive_lattice(const Scene& s, Derived& d) {
@@ -155,7 +158,16 @@ void derive_flow(const Scene& s, double fastest, Derived& d) {
 }  // namespace
 
 double single_layer_distance(const Scene& s) {
-  return s.dimension() == 2 ? layer_distance<2>(s) : layer_distance<3>(s);
+  double distance = 0;
+  with_layer(s, [&](const auto& layer) { distance = s.particles.spacing * layer.distance(); });
+  return distance;
+}
+
+double single_layer_volume(const Scene& s, double distance) {
+  double factor = 0;
+  with_layer(
+      s, [&](const auto& layer) { factor = layer.volume_factor(distance / s.particles.spacing); });
+  return factor;
 }
 
 double support_radius(const Scene& s) {

@@ -35,6 +35,11 @@ double artificial_viscosity(const Scene& scene);
 /// belongs to the fluid.
 double single_layer_distance(const Scene& scene);
 
+/// The volumes of boundary particles of akinci2012 over 1/sum_l W_kl, at a distance [m] from the
+/// outermost particles of a resting fluid that gives these their rest density. It is below 1 where
+/// the layer is closer than single_layer_distance().
+double single_layer_volume(const Scene& scene, double distance);
+
 /// The method of body particles: adami2012 if walls.method is adami2012, else akinci2012.
 WallMethod body_method(const Scene& scene);
 

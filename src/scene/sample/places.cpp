@@ -104,7 +104,7 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
       wall_points_(0.499 * spacing_) {
   const bool whole = f.shape == Shape::lattice || f.shape == Shape::points ||
                      (f.shape == Shape::box && f.side == Side::inside);
-  if (!whole) shape_.emplace(f);
+  if (!whole) shape_.emplace(f, spacing_);
   shifts_ = periodic_shifts<D>(s);
   const bool of_file = f.shape == Shape::points, as_given = f.shape == Shape::lattice || of_file;
   margin_ = of_file ? 0 : 0.49 * spacing_;
@@ -116,12 +116,13 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
     if (side % 2) high_[k] = s.domain.max[k];
     else low_[k] = s.domain.min[k];
   }
+  const double sheet = of_file ? 0 : spacing_;
   for (const Scene::Wall& w : s.wall)
-    if (w.shape != Shape::points) walls_.emplace_back(w);
+    if (w.shape != Shape::points) walls_.emplace_back(w, sheet);
     else if (!of_file)
       for (const Vec<D>& x : vectors<D>(read_points(w.file, D).x)) wall_points_.add(to_double(x));
   for (const Scene::Inlet& in : s.inlet) zones_.emplace_back(s, in);
-  for (const Scene::Body& b : s.body) walls_.emplace_back(b);
+  for (const Scene::Body& b : s.body) walls_.emplace_back(b, sheet);
   if (f.shape != Shape::points) return;
   const PointCloud cloud = read_points(f.file, D);
   points_ = vectors<D>(cloud.x);

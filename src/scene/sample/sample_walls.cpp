@@ -5,9 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/sample/akinci_layer.h"
 #include "scene/sample/mesh_surface.h"
 #include "scene/sample/places.h"
 #include "scene/sample/point_cloud.h"
+#include "scene/sample/region_surface.h"
 #include "scene/sample/surface.h"
 
 namespace freshet {
@@ -19,14 +21,11 @@ WallSample& sample_of(Sample& all, WallMethod method) {
                                            : all.monaghan2009;
 }
 
-/// The depth of the first layer of a method behind the surface, less half a spacing [m].
-double setback(const Scene& s, WallMethod method) {
-  return method == WallMethod::akinci2012 ? single_layer_distance(s) - s.particles.spacing : 0;
-}
-
-template <int D> void append(WallSample& to, Vec<D, double> x, std::int32_t wall) {
+template <int D>
+void append(WallSample& to, Vec<D, double> x, std::int32_t wall, Real volume_factor = 1) {
   for (int k = 0; k < D; ++k) to.x.push_back(Real(component(x, k)));
   to.wall.push_back(wall);
+  to.volume_factor.push_back(volume_factor);
 }
 
 /// The domain divided into cells about a spacing wide, and the number of cells beyond each end that
@@ -70,7 +69,7 @@ int side_of(const Scene& s, const Counts& c, const Counts& n) {
 template <int D> void sample_sides(const Scene& s, Sample& all) {
   const SideLattice lattice(s);
   if (lattice.beyond == Counts(D, 0)) return;
-  const double akinci_setback = setback(s, WallMethod::akinci2012);
+  const double akinci_setback = single_layer_distance(s) - s.particles.spacing;
   around_lattice<D>(lattice.n, lattice.beyond, [&](const Counts& c) {
     const int side = side_of(s, c, lattice.n);
     if (side < 0) return;
@@ -109,11 +108,11 @@ template <int D> Room<D> domain_and_support(const Scene& s) {
   return room;
 }
 
-/// Points half a spacing and the setback behind the surface. A mesh with holes has no inside; its
-/// points are on the surface.
+/// Points behind the surface. A mesh with holes has no inside; its points are on the surface.
 std::vector<Vec<3, double>> mesh_samples(const Scene& s, std::size_t wall) {
   const Scene::Wall& w = s.wall[wall];
-  const double depth = s.particles.spacing / 2 + setback(s, s.wall_method(wall));
+  const double depth = s.wall_method(wall) == WallMethod::akinci2012 ? AkinciLayer(s).depth()
+                                                                     : s.particles.spacing / 2;
   const double inwards = w.side == Side::outside ? depth : -depth;
   return points_behind(w.loaded->distance, s.particles.spacing,
                        w.loaded->condition.closed() ? inwards : 0);
@@ -144,9 +143,26 @@ template <int D> std::vector<Vec<D, double>> surface_points(const Scene& s, std:
   }
   Surface<D> surface(solid, s.particles.spacing, wall_layers(s, s.wall_method(wall)));
   points = surface.points(room.low, room.high, cell);
-  const double deeper = setback(s, s.wall_method(wall));
-  for (auto& x : points) x += -deeper * solid.normal(x);
+  if (s.wall_method(wall) == WallMethod::akinci2012) {
+    const AkinciLayer layer(s);
+    for (auto& x : points) layer.settle(solid, x);
+  }
   return points;
+}
+
+/// The depths of boundary particles behind the surface give their volumes. Points of a file have no
+/// surface.
+template <int D>
+std::vector<Real> volume_factors(const Scene& s, std::size_t wall,
+                                 const std::vector<Vec<D, double>>& points) {
+  std::vector<Real> factors(points.size(), 1);
+  if (s.wall_method(wall) != WallMethod::akinci2012 || s.wall[wall].shape == Shape::points)
+    return factors;
+  const AkinciLayer layer(s);
+  const RegionSurface<D> surface(s.wall[wall], s.particles.spacing);
+  std::transform(points.begin(), points.end(), factors.begin(),
+                 [&](const auto& x) { return layer.volume_factor(-surface.distance(x)); });
+  return factors;
 }
 
 /// Samples a wall. The part beyond a periodic end is repeated at the opposite end.
@@ -156,16 +172,18 @@ template <int D> void sample_wall(const Scene& s, std::size_t wall, Sample& all)
   const bool repeats = s.wall[wall].shape != Shape::plane;  // a plane extends beyond by itself
   const auto shifts = repeats ? periodic_shifts<D>(s) : std::vector<Vec<D, double>>(1);
   WallSample& to = sample_of(all, s.wall_method(wall));
-  for (const Vec<D, double>& point : surface_points<D>(s, wall))
+  const auto points = surface_points<D>(s, wall);
+  const auto factors = volume_factors<D>(s, wall, points);
+  for (std::size_t i = 0; i < points.size(); ++i)
     for (const Vec<D, double>& shift : shifts) {
-      Vec<D, double> x = point + shift, low = domain.low, high = domain.high;
+      Vec<D, double> x = points[i] + shift, low = domain.low, high = domain.high;
       if (!room.has(x)) continue;
       bool image = false;
       for (int k = 0; k < D; ++k)
         image |= s.periodic(k) &&
                  (component(x, k) < component(low, k) || component(x, k) >= component(high, k));
       const auto number = std::int32_t(2 * D + int(wall));
-      append(to, x, image ? -1 - number : number);
+      append(to, x, image ? -1 - number : number, factors[i]);
     }
 }
 
