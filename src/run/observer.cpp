@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <memory>
 
@@ -41,7 +43,9 @@ Observer::Observer(Simulation& sim, FolderLock lock, RunRecord record, Inputs in
       inputs_(std::move(inputs)),
       folder_(std::move(lock)),
       tables_(record_, folder_, background_),
-      outputs_(outputs_of({sim_, schedule_, record_, folder_, background_, tables_}, video)) {
+      frames_(sim_),
+      outputs_(
+          outputs_of({sim_, schedule_, record_, folder_, background_, tables_, frames_}, video)) {
   prepare_checkpoints();
 }
 
@@ -80,7 +84,6 @@ void Observer::begin(const RunOptions& options) {
 void Observer::begin(const ResumeOptions& options) {
   folder_.take(RunFolder::Take::resume, plan(),
                provenance(sim_.scene(), options.execution, options.command));
-  before_ = sim_.time();
   saved_ = sim_.steps_done();
   for (const auto& file : checkpoints_of(options.folder))
     checkpoints_.push_front(fmt::format("{}/{}", checkpoint_folder, file.filename().string()));
@@ -105,22 +108,26 @@ RunPlan Observer::plan() const {
   return plan;
 }
 
-void Observer::write(Output& output, const StepTaken& step) {
-  record_.written[output.name()] = sim_.steps_done();
-  output.write(step);
+void Observer::before_step() {
+  before_ = sim_.time();
+  const Scene::Time& time = sim_.scene().time;
+  const double longest = time.adaptive ? time.step_max.value_or(INFINITY) : time.step;
+  frames_.before_step(std::any_of(outputs_.begin(), outputs_.end(), [&](const auto& output) {
+    return output->shows_between(before_, before_ + longest);
+  }));
 }
 
 void Observer::after_step(double seconds) {
   record_.seconds = seconds;
   const StepTaken step{sim_.steps_done() - 1, before_, sim_.time(), false};
-  before_ = sim_.time();
   for (const auto& output : outputs_)
-    if (output->due(step)) write(*output, step);
+    if (output->write(step)) record_.written[output->name()] = sim_.steps_done();
   remember_scheduled();
   if (sim_.finished()) {
-    for (const auto& output : outputs_)
-      if (output->writes_the_end() && record_.written[output->name()] != sim_.steps_done())
-        write(*output, step);
+    for (const auto& output : outputs_) {
+      std::int64_t& written = record_.written[output->name()];
+      if (std::exchange(written, sim_.steps_done()) != sim_.steps_done()) output->write_end();
+    }
     return save();
   }
   const bool by_clock =

@@ -18,10 +18,6 @@
 namespace freshet {
 namespace {
 
-std::shared_ptr<Frame> frame_of(const RunSite& site) {
-  return std::make_shared<Frame>(site.sim.frame());
-}
-
 /// observables.csv: a row of sums and extremes.
 class Observables final : public Output {
  public:
@@ -29,8 +25,12 @@ class Observables final : public Output {
   const char* name() const override { return "observables"; }
   std::vector<std::string> files() const override { return {file}; }
   void start() override { site_.tables.begin(file, observables_header(site_.sim.scene())); }
-  bool due(const StepTaken& step) const override { return site_.schedule.observe_after(step); }
-  void write(const StepTaken&) override {
+  bool write(const StepTaken& step) override {
+    const bool due = site_.schedule.observe_after(step);
+    if (due) write_end();
+    return due;
+  }
+  void write_end() override {
     RunRecord& record = site_.record;
     record.wall_forces = site_.sim.wall_forces(record.observed);
     record.flows = site_.sim.flows(record.observed);
@@ -43,7 +43,7 @@ class Observables final : public Output {
   RunSite site_;
 };
 
-/// bodies.csv, and in 3D the mesh of each body. Rows stand at the moments of the observables and of
+/// bodies.csv, and in 3D the mesh of each body. It has rows at the times of the observables and of
 /// the data files, so that every data file can be drawn with its bodies.
 class BodyTable final : public Output {
  public:
@@ -62,12 +62,22 @@ class BodyTable final : public Output {
                          encode_obj(body_mesh(scene.body[k]), body_shape(scene.body[k]).center,
                                     scene.body_name(k)));
   }
-  bool due(const StepTaken& step) const override {
-    return site_.schedule.observe_after(step) || site_.schedule.data_after(step);
+  bool shows_between(double from, double to) const override {
+    return site_.schedule.data().frames_between(from, to);
   }
-  void write(const StepTaken&) override { site_.tables.add(file, body_lines(site_.sim)); }
+  bool write(const StepTaken& step) override {
+    auto times = site_.schedule.data().frames_in(step);
+    if (site_.schedule.observe_after(step) && (times.empty() || times.back() != step.after))
+      times.push_back(step.after);
+    for (const double time : times) add(time);
+    return !times.empty() && times.back() == step.after;
+  }
+  void write_end() override { add(site_.sim.time()); }
 
  private:
+  void add(double time) {
+    site_.tables.add(file, body_lines(*site_.frames.at(time), site_.sim.scene()));
+  }
   static constexpr const char* file = "bodies.csv";
   static std::string mesh_file(std::size_t k) { return fmt::format("bodies/body_{:03}.obj", k); }
   std::size_t meshes() const {
@@ -90,17 +100,15 @@ class ProbeTables final : public Output {
   void start() override {
     for (std::size_t k = 0; k < probes_.size(); ++k) site_.tables.begin(file(k), probes_.header(k));
   }
-  bool due(const StepTaken& step) const override {
-    for (std::size_t k = 0; k < probes_.size(); ++k)
-      if (site_.schedule.probe_after(k, step)) return true;
-    return false;
+  bool write(const StepTaken& step) override {
+    std::vector<std::string> lines;
+    for (std::size_t k = 0; k < probes_.size(); ++k) {
+      if (!site_.schedule.probe_after(k, step)) continue;
+      if (lines.empty()) lines = probes_.look(site_.sim);
+      site_.tables.add(file(k), lines[k]);
+    }
+    return true;
   }
-  void write(const StepTaken& step) override {
-    const std::vector<std::string> lines = probes_.look(site_.sim);
-    for (std::size_t k = 0; k < lines.size(); ++k)
-      if (site_.schedule.probe_after(k, step)) site_.tables.add(file(k), lines[k]);
-  }
-  bool writes_the_end() const override { return false; }
 
  private:
   std::string file(std::size_t k) const { return probe_file(site_.sim.scene(), k); }
@@ -118,17 +126,26 @@ class Pictures final : public Output {
     for (std::int64_t k = 0; k < site_.schedule.frames(); ++k) all.push_back(file(k));
     return all;
   }
-  bool due(const StepTaken& step) const override { return site_.schedule.frame_after(step); }
-  void write(const StepTaken&) override {
-    auto& times = site_.record.series[name()].times;
-    site_.background.add([site = site_, k = std::int64_t(times.size()), frame = frame_of(site_)] {
-      site.folder.write(file(k), encode_png(draw(site.sim.scene(), *frame)));
-    });
-    times.push_back(site_.sim.time());
-    site_.tables.flush();
+  bool shows_between(double from, double to) const override {
+    return site_.schedule.frame().frames_between(from, to);
   }
+  bool write(const StepTaken& step) override {
+    const auto due = site_.schedule.frame().frames_in(step);
+    for (const double time : due) add(time);
+    return !due.empty() && due.back() == step.after;
+  }
+  void write_end() override { add(site_.sim.time()); }
 
  private:
+  void add(double time) {
+    auto& times = site_.record.series[name()].times;
+    site_.background.add(
+        [site = site_, k = std::int64_t(times.size()), frame = site_.frames.at(time)] {
+          site.folder.write(file(k), encode_png(draw(site.sim.scene(), *frame)));
+        });
+    times.push_back(time);
+    site_.tables.flush();
+  }
   static std::string file(std::int64_t k) { return fmt::format("frames/frame_{:04}.png", k); }
   RunSite site_;
 };
@@ -141,12 +158,22 @@ class DataFiles final : public Output {
   std::vector<std::string> files() const override {
     return data_files(site_.sim.scene().output, site_.schedule.data_frames());
   }
-  bool due(const StepTaken& step) const override { return site_.schedule.data_after(step); }
-  void write(const StepTaken&) override {
+  bool shows_between(double from, double to) const override {
+    return site_.schedule.data().frames_between(from, to);
+  }
+  bool write(const StepTaken& step) override {
+    const auto due = site_.schedule.data().frames_in(step);
+    for (const double time : due) add(time);
+    return !due.empty() && due.back() == step.after;
+  }
+  void write_end() override { add(site_.sim.time()); }
+
+ private:
+  void add(double time) {
     auto& times = site_.record.series[name()].times;
-    times.push_back(site_.sim.time());
+    times.push_back(time);
     site_.tables.flush();  // bodies.csv has the bodies of a data file before the file exists
-    site_.background.add([site = site_, times, frame = frame_of(site_)] {
+    site_.background.add([site = site_, times, frame = site_.frames.at(time)] {
       const Scene::Output& output = site.sim.scene().output;
       const auto k = std::int64_t(times.size()) - 1;
       for (const DataFormat format : output.data)
@@ -158,8 +185,6 @@ class DataFiles final : public Output {
       site.folder.write(pvd_file, encode_pvd(times, names));
     });
   }
-
- private:
   static bool has_time_series(const Scene::Output& output) {
     return std::find(output.data.begin(), output.data.end(), DataFormat::vtp) != output.data.end();
   }
@@ -177,20 +202,19 @@ class VideoFile final : public Output {
     video_ = std::make_shared<Video>(options_.file, int(picture.width), int(picture.height),
                                      options_.fps);
   }
-  bool due(const StepTaken& step) const override { return is_due(step.after); }
-  void write(const StepTaken&) override {
-    int times = 0;
-    for (; is_due(site_.sim.time()); ++shown_) ++times;
-    site_.background.add([site = site_, video = video_, times, frame = frame_of(site_)] {
-      const Image image = draw(site.sim.scene(), *frame);
-      for (int k = 0; k < times; ++k) video->add(image);
-    });
+  bool shows_between(double, double to) const override { return next() <= to; }
+  bool write(const StepTaken& step) override {
+    for (; next() <= step.after; ++shown_)
+      site_.background.add([site = site_, video = video_, frame = site_.frames.at(next())] {
+        video->add(draw(site.sim.scene(), *frame));
+      });
+    return true;
   }
-  bool writes_the_end() const override { return false; }
   void finish() override { video_->finish(); }
 
  private:
-  bool is_due(double time) const { return double(shown_) / options_.fps <= time + 1e-12; }
+  /// The time of the next picture [s], with a tolerance for rounding.
+  double next() const { return std::max(0.0, double(shown_) / options_.fps - 1e-12); }
   RunSite site_;
   VideoOptions options_;
   std::shared_ptr<Video> video_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "core/input_file.h"
 #include "freshet/render.h"
@@ -98,23 +99,24 @@ class FrameBodies {
                   "this table is missing or cannot be read, and the bodies are drawn from it; put "
                   "it back, or run the scene again");
     constexpr InputFile table{.may_be_empty = true};
-    steps_ = read_bodies(read_input(table_, table), scene, table_);
+    times_ = read_bodies(read_input(table_, table), scene, table_);
   }
   void put_into(Frame& frame, const fs::path& file) const {
     if (!exist_) return;
-    const auto at = steps_.find(frame.step);
-    if (at == steps_.end())
+    const double close = 1e-8 * std::abs(frame.time);  // the table has nine digits
+    const auto at = times_.lower_bound(frame.time - close);
+    if (at == times_.end() || at->first > frame.time + close)
       throw Error(Error::Kind::scene, table_,
-                  fmt::format("there is no row for each body at step {}, which {} shows; put the "
+                  fmt::format("there is no row for each body at {:g} s, which {} shows; put the "
                               "table back as the run wrote it, or run the scene again",
-                              frame.step, file.string()));
+                              frame.time, file.string()));
     frame.bodies = at->second;
   }
 
  private:
   bool exist_;
   std::string table_;
-  std::map<std::int64_t, std::vector<BodyState>> steps_;
+  std::map<double, std::vector<BodyState>> times_;
 };
 
 /// A film that shows each frame until the next one's time, in pictures of one length.

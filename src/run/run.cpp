@@ -23,6 +23,7 @@ bool steps(Simulation& sim, Observer& observer, const AfterStep& after_step) {
   using Clock = std::chrono::steady_clock;
   double seconds = observer.record().seconds;
   while (!sim.finished()) {
+    observer.before_step();
     const auto start = Clock::now();
     sim.step();
     seconds += std::chrono::duration<double>(Clock::now() - start).count();

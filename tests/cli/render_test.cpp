@@ -121,8 +121,8 @@ class RenderBodies : public Render {
     write_text(table, header + row(0, "1.4") + row(1, "1.5") + row(2, "1.6"));
   }
   static std::string row(int step, const std::string& x) {
-    return std::to_string(step) + ",0," + "box," + x + ",0.35,0,0,0,0,1" + ",0,0,0,0,0,0,0,0,0" +
-           ",0,0,0\n";
+    return std::to_string(step) + ",0." + std::to_string(step) + ",box," + x + ",0.35,0,0,0,0,1" +
+           ",0,0,0,0,0,0,0,0,0" + ",0,0,0\n";
   }
   void expect_error(const std::string& bytes, const std::string& place, const std::string& words) {
     write_text(table, bytes);
@@ -154,9 +154,9 @@ TEST_F(RenderBodies, RejectsAMissingOrDamagedTable) {
   expect_error(start + "1,0.1\n" + row(2, "1.6"), table.string() + ":3", "this line has 2 values");
   expect_error(row(0, "1.4") + row(1, "1.5"), table.string() + ":1",
                "the first line does not name the columns");
-  expect_error(start + row(2, "1.6"), table.string(), "there is no row for each body at step 1");
+  expect_error(start + row(2, "1.6"), table.string(), "there is no row for each body at 0.1 s");
   expect_error(start + row(1, "1.5") + row(2, "1.6").substr(0, 20), table.string(),
-               "there is no row for each body at step 2");
+               "there is no row for each body at 0.2 s");
   fs::remove(table);
   expect_refused(render({"--overwrite"}), table.string() + ": error: this table is missing");
 }

@@ -104,8 +104,8 @@ void output_keys(KeyVisitor& v, Scene& s) {
                .fallback = "a tenth of the run"});
     v.number("frame_every", s.output.frame_every,
              {.unit = "s",
-              .text = "interval of frames instead, in simulated seconds: a frame after the first "
-                      "step at or after each such time",
+              .text = "interval of frames instead, in simulated seconds: frames show exactly these "
+                      "times, 0 and the end too, interpolated between two steps",
               .min = 0,
               .above = true,
               .fallback = "a tenth of the run"});
