@@ -217,6 +217,7 @@ struct Scene {
   struct Output {
     std::optional<std::int64_t> frame_every_steps, observables_every_steps;
     std::optional<double> frame_every, observables_every;  // [s]
+    bool statistics = false;  // of forces and probes, over all steps since the last row
     std::optional<std::int64_t> checkpoint_every_steps;
     std::optional<double> checkpoint_every;         // [s]
     std::vector<DataFormat> data{DataFormat::vtp};  // no data files if empty

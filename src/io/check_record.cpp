@@ -38,6 +38,14 @@ void check_series(const std::string& name, const SeriesRecord& series) {
       fail_for_checkpoint(fmt::format("the series \"{}\" has a file of the time {}", name, time));
 }
 
+void check_interval(const std::string& table, const IntervalRecord& interval) {
+  const std::size_t n = interval.seconds.size();
+  bool good =
+      interval.low.size() == n && interval.high.size() == n && interval.integral.size() == n;
+  for (const double seconds : interval.seconds) good &= is_past(seconds);
+  if (!good) fail_for_checkpoint(fmt::format("its statistics for the table {} are invalid", table));
+}
+
 }  // namespace
 
 void check_record(const RunRecord& r) {
@@ -46,6 +54,7 @@ void check_record(const RunRecord& r) {
         fmt::format("its run took {} s, and was observed at {} s", r.seconds, r.observed.time));
   for (const auto& [name, table] : r.tables) check_table(name, table);
   for (const auto& [name, series] : r.series) check_series(name, series);
+  for (const auto& [table, interval] : r.intervals) check_interval(table, interval);
   for (const auto& [output, step] : r.written)
     if (step < 0 || step > most_counted)
       fail_for_checkpoint(fmt::format("the output \"{}\" was written after step {}", output, step));

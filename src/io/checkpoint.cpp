@@ -39,16 +39,17 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WatchRecord, warnings, tracks, steps_watched,
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Flow, kind, name, particles, volume, rate, waiting)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TableRecord, header, bytes, scheduled, sha256, scheduled_sha256)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeriesRecord, times, scheduled)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(IntervalRecord, low, high, integral, seconds)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Simulation::Moment, time, impulses, passed)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunRecord, scene_name, seconds, observed, wall_forces, flows,
-                                   tables, series, written)
+                                   tables, series, intervals, written)
 
 namespace {
 
 using JsonHeader = nlohmann::json;
 
 // The format changes with whatever makes an older program misread a newer file, or the reverse.
-constexpr int format = 5;
+constexpr int format = 6;
 constexpr std::string_view magic = "Freshet checkpoint\n";
 constexpr std::size_t block = 512;  // HDF5 searches its signature at 0, 512, 1024 ...
 const std::string no_digest(64, '0');

@@ -9,6 +9,7 @@
 #include "render/draw.h"
 #include "render/png.h"
 #include "run/body_table.h"
+#include "run/interval.h"
 #include "run/observables.h"
 #include "run/output.h"
 #include "scene/model/body_mesh.h"
@@ -21,26 +22,35 @@ namespace {
 /// observables.csv: a row of sums and extremes.
 class Observables final : public Output {
  public:
-  explicit Observables(const RunSite& site) : site_(site) {}
+  explicit Observables(const RunSite& site) : site_(site), before_(site.sim.moment()) {}
   const char* name() const override { return "observables"; }
   std::vector<std::string> files() const override { return {file}; }
   void start() override { site_.tables.begin(file, observables_header(site_.sim.scene())); }
   bool write(const StepTaken& step) override {
-    const bool due = site_.schedule.observe_after(step);
-    if (due) write_end();
-    return due;
+    if (site_.sim.scene().output.statistics) {
+      include(interval(), loads(site_.sim, site_.sim.wall_forces(before_)),
+              step.after - step.before);
+      before_ = site_.sim.moment();
+    }
+    if (!site_.schedule.observe_after(step)) return false;
+    write_end();
+    interval() = {};
+    return true;
   }
   void write_end() override {
     RunRecord& record = site_.record;
     record.wall_forces = site_.sim.wall_forces(record.observed);
     record.flows = site_.sim.flows(record.observed);
     record.observed = site_.sim.moment();
-    site_.tables.add(file, observables_line(site_.sim, record.wall_forces, record.flows));
+    site_.tables.add(file,
+                     observables_line(site_.sim, record.wall_forces, record.flows, interval()));
   }
 
  private:
   static constexpr const char* file = "observables.csv";
+  IntervalRecord& interval() { return site_.record.intervals[file]; }
   RunSite site_;
+  Simulation::Moment before_;  // the last step
 };
 
 /// bodies.csv, and in 3D the mesh of each body. It has rows at the times of the observables and of
@@ -98,20 +108,55 @@ class ProbeTables final : public Output {
     return all;
   }
   void start() override {
-    for (std::size_t k = 0; k < probes_.size(); ++k) site_.tables.begin(file(k), probes_.header(k));
+    for (std::size_t k = 0; k < probes_.size(); ++k) site_.tables.begin(file(k), header(k));
   }
   bool write(const StepTaken& step) override {
-    std::vector<std::string> lines;
+    std::vector<std::vector<Probes::Reading>> readings;
+    if (statistics()) {
+      readings = probes_.measure(site_.sim);
+      for (std::size_t k = 0; k < probes_.size(); ++k)
+        include(interval(k), numbers(readings[k]), step.after - step.before);
+    }
     for (std::size_t k = 0; k < probes_.size(); ++k) {
       if (!site_.schedule.probe_after(k, step)) continue;
-      if (lines.empty()) lines = probes_.look(site_.sim);
-      site_.tables.add(file(k), lines[k]);
+      if (readings.empty()) readings = probes_.measure(site_.sim);
+      add_rows(k, step.after, readings[k]);
     }
     return true;
   }
 
  private:
   std::string file(std::size_t k) const { return probe_file(site_.sim.scene(), k); }
+  bool statistics() const { return site_.sim.scene().output.statistics; }
+  IntervalRecord& interval(std::size_t k) { return site_.record.intervals[file(k)]; }
+  static std::vector<double> numbers(const std::vector<Probes::Reading>& readings) {
+    std::vector<double> all;
+    for (const Probes::Reading& r : readings)
+      all.insert(all.end(), r.values.begin(), r.values.end());
+    return all;
+  }
+  std::string header(std::size_t k) const {
+    std::string line = probes_.header(k);
+    if (!statistics()) return line;
+    line.pop_back();
+    for (const Probes::Quantity& q : probes_.quantities(k))
+      line += interval_columns(q.name, q.unit);
+    return line + "\n";
+  }
+  void add_rows(std::size_t k, double time, const std::vector<Probes::Reading>& readings) {
+    std::string lines;
+    std::size_t first = 0;
+    for (const Probes::Reading& reading : readings) {
+      lines += Probes::line(time, reading);
+      if (statistics()) {
+        lines.pop_back();
+        lines += interval_cells(interval(k), first, reading.values.size()) + "\n";
+      }
+      first += reading.values.size();
+    }
+    site_.tables.add(file(k), lines);
+    site_.record.intervals.erase(file(k));
+  }
   RunSite site_;
   Probes probes_;
 };
@@ -141,7 +186,7 @@ class Pictures final : public Output {
     auto& times = site_.record.series[name()].times;
     site_.background.add(
         [site = site_, k = std::int64_t(times.size()), frame = site_.frames.at(time)] {
-          site.folder.write(file(k), encode_png(draw(site.sim.scene(), *frame)));
+          site.folder.write_more(file(k), encode_png(draw(site.sim.scene(), *frame)));
         });
     times.push_back(time);
     site_.tables.flush();

@@ -98,4 +98,14 @@ Table read_table(const std::filesystem::path& file) {
   return table;
 }
 
+std::string csv_cell(const std::string& name) {
+  if (name.find_first_of(",\"\n\r") == std::string::npos) return name;
+  std::string out = "\"";
+  for (const char c : name) {
+    if (c == '"') out += '"';
+    out += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return out + "\"";
+}
+
 }  // namespace freshet

@@ -30,4 +30,7 @@ struct Table {
 /// Throws Error (kind scene) with FILE:LINE where the file is not like that.
 Table read_table(const std::filesystem::path& file);
 
+/// A name as a cell of a CSV table of one line per row.
+std::string csv_cell(const std::string& name);
+
 }  // namespace freshet

@@ -43,5 +43,22 @@ TEST_F(Resume, BeginsAMissingTableAgain) {
   EXPECT_TRUE(rows.substr(header).starts_with("204,")) << rows.substr(header, 20);
 }
 
+/// Statistics since the last row, and frames within steps, with a resume between two rows.
+TEST_F(Resume, ContinuesStatisticsAndInterpolatedFrames) {
+  std::string scene = resumable_scene;
+  const std::string steps = "frame_every_steps = 33\n";
+  scene.replace(scene.find(steps), steps.size(),
+                "frame_every = 0.0123\nstatistics = true\ndata = [\"csv\"]\n");
+  write_text(folder / "scene.toml", scene + "[[probe]]\nname = \"p\"\npoint = [0.1, 0.05]\n");
+  ASSERT_EQ(freshet(arguments("whole")).code, 0);
+  ASSERT_EQ(freshet(arguments("run", {"--set", "time.end=0.1"})).code, 0);
+  const auto r = resume("run", {"--set", "time.end=0.25"});
+  ASSERT_EQ(r.code, 0) << r.err;
+  expect_same_run("whole", "run");
+  const std::string header = read_text(folder / "run/observables.csv");
+  EXPECT_TRUE(contains(header, ",force on y_min y max [N/m],")) << header.substr(0, 400);
+  EXPECT_TRUE(contains(read_text(folder / "run/data/frame_0001.csv"), "25,0.0123,0,"));
+}
+
 }  // namespace
 }  // namespace freshet::test

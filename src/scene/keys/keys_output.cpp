@@ -122,6 +122,12 @@ void output_keys(KeyVisitor& v, Scene& s) {
               .min = 0,
               .above = true,
               .fallback = "a hundredth of the run"});
+    v.boolean(
+        "statistics", s.output.statistics,
+        {.unit = "",
+         .text = "adds columns to the tables of observables and probes: minimum, maximum, "
+                 "mean and integral (of a force: the impulse) over all steps since the last "
+                 "row, of forces on walls and bodies and of probes. Measures after every step"});
     data_keys(v, s.output);
     v.integer("checkpoint_every_steps", s.output.checkpoint_every_steps,
               {.unit = "steps",

@@ -94,9 +94,9 @@ class Schedule {
     return checkpoint_ && checkpoint_->due_within(s);
   }
   bool checkpoints_by_clock() const { return !checkpoint_; }
-  /// The number of frames of a run; the maximum for adaptive steps.
+  /// The number of frames of a run. Of adaptive steps counted, the minimum.
   std::int64_t frames() const { return frames_; }
-  /// The number of data files of each format; the maximum for adaptive steps.
+  /// The number of data files of each format; likewise.
   std::int64_t data_frames() const { return data_frames_; }
 
  private:
