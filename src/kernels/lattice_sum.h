@@ -109,11 +109,16 @@ template <int D, class Kernel> class SingleLayer {
       : W_(W), spacing_(spacing), support_(support_radius) {
     double missing = 0;
     for (int k = 1; k * spacing < support_radius; ++k) missing += layer(k);
-    wanted_ =
-        layer(0) * missing * std::pow(spacing, D) / lattice_sum<D>(W, spacing, support_radius);
+    lattice_ = lattice_sum<D>(W, spacing, support_radius) / std::pow(spacing, D);
+    wanted_ = layer(0) * missing / lattice_;
+    self_ = double(W(Pair<D, Real>(Vec<D>{})));
   }
   /// The volumes of its particles over 1/sum_l W_kl, for a layer `away` spacings from the lattice.
-  double volume_factor(double away) const { return wanted_ / layer(away); }
+  /// A particle alone in the layer must be compressed, or else it would stay there or pass through:
+  /// its density is at least 1.05 times the rest density.
+  double volume_factor(double away) const {
+    return std::max(wanted_ / layer(away), std::min(1.0, 1.05 - self_ / lattice_));
+  }
   /// The distance [spacings] at which the factor is 1, by bisection.
   double distance() const {
     double near = 1, far = support_ / spacing_;
@@ -128,7 +133,9 @@ template <int D, class Kernel> class SingleLayer {
   double layer(double away) const { return layer_sum<D>(W_, spacing_, support_, away); }
 
   const Kernel& W_;
-  double spacing_, support_, wanted_;
+  double spacing_, support_;
+  double lattice_, self_;  // kernel sum of a lattice particle, and its own part [1/m^D]
+  double wanted_;
 };
 
 }  // namespace FRESHET_ISA

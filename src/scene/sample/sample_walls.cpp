@@ -205,7 +205,7 @@ double most_samples(const Scene& s, const Scene::Region& w, double layers) {
   if (w.shape == Shape::sphere)
     return layers * (w.center.size() == 2 ? 2 * pi * r : 4 * pi * r * r);
   if (w.shape == Shape::mesh)  // upper bound: a layer outside is wider than the surface
-    return 3 * layers * (w.loaded->distance.area() / square(spacing) + 100);
+    return 5 * layers * (w.loaded->distance.area() / square(spacing) + 100);
   if (w.shape == Shape::cylinder) return layers * (2 * pi * r * l + 2 * pi * r * r);
   if (w.shape == Shape::box)
     for (std::size_t k = 0; k < w.min.size(); ++k)
