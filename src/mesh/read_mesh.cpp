@@ -46,8 +46,8 @@ TriangleMesh read_by_assimp(std::string_view bytes, const char* format, const Fi
   const aiScene* scene = importer.ReadFileFromMemory(
       bytes.data(), bytes.size(), aiProcess_Triangulate | aiProcess_PreTransformVertices, format);
   if (!scene)
-    place.fail("cannot be read as a mesh (" +
-               std::string(importer.GetErrorString()).substr(0, 200) + "); is it whole?");
+    place.fail("not a valid mesh (" + std::string(importer.GetErrorString()).substr(0, 200) +
+               "); export it again");
   TriangleMesh mesh;
   for (unsigned k = 0; k < scene->mNumMeshes; ++k) append(*scene->mMeshes[k], mesh, place);
   return mesh;
@@ -57,8 +57,8 @@ TriangleMesh read_by_assimp(std::string_view bytes, const char* format, const Fi
 
 TriangleMesh read_by_assimp(std::string_view, const char*, const FilePlace& place) {
   place.fail(
-      "this Freshet was built without Assimp, which reads *.stl and *.obj; convert the mesh to "
-      "*.ply, or install libassimp-dev and build it anew");
+      "this build reads no *.stl and no *.obj, as Assimp was missing; convert the mesh to *.ply, "
+      "or install libassimp-dev and build again");
 }
 
 #endif
@@ -83,9 +83,9 @@ TriangleMesh mesh_in(std::string_view bytes, const std::filesystem::path& file) 
     check_stl(bytes, place);
     mesh = read_by_assimp(bytes, "stl", place);
   } else {
-    place.fail("not *.stl, *.obj or *.ply; convert it to one");
+    place.fail("not a known format of meshes (*.stl, *.obj or *.ply); export it as one of them");
   }
-  if (mesh.triangles.empty()) place.fail("there is no triangle in it; is it the right file?");
+  if (mesh.triangles.empty()) place.fail("the mesh has no triangles; export it again");
   return mesh;
 }
 
