@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 #include "core/input_file.h"
@@ -63,6 +65,20 @@ TriangleMesh read_by_assimp(std::string_view, const char*, const FilePlace& plac
 
 #endif
 
+TriangleMesh read_obj_mesh(std::string_view bytes, FilePlace& place) {
+  return read_by_assimp(plain_obj(bytes, place), "obj", place);
+}
+
+TriangleMesh read_stl_mesh(std::string_view bytes, FilePlace& place) {
+  check_stl(bytes, place);
+  return read_by_assimp(bytes, "stl", place);
+}
+
+constexpr struct {
+  const char* extension;
+  TriangleMesh (*read)(std::string_view bytes, FilePlace& place);
+} mesh_formats[] = {{".stl", read_stl_mesh}, {".obj", read_obj_mesh}, {".ply", read_ply_mesh}};
+
 }  // namespace
 
 #ifdef FRESHET_ASSIMP
@@ -73,18 +89,12 @@ bool reads_meshes() { return false; }
 
 TriangleMesh mesh_in(std::string_view bytes, const std::filesystem::path& file) {
   FilePlace place(file.string());
-  TriangleMesh mesh;
   const std::string extension = extension_of(file);
-  if (extension == ".ply") {
-    mesh = read_ply_mesh(bytes, place);
-  } else if (extension == ".obj") {
-    mesh = read_by_assimp(plain_obj(bytes, place), "obj", place);
-  } else if (extension == ".stl") {
-    check_stl(bytes, place);
-    mesh = read_by_assimp(bytes, "stl", place);
-  } else {
+  const auto format = std::find_if(std::begin(mesh_formats), std::end(mesh_formats),
+                                   [&](const auto& f) { return extension == f.extension; });
+  if (format == std::end(mesh_formats))
     place.fail("not a known format of meshes (*.stl, *.obj or *.ply); export it as one of them");
-  }
+  TriangleMesh mesh = format->read(bytes, place);
   if (mesh.triangles.empty()) place.fail("the mesh has no triangles; export it again");
   return mesh;
 }

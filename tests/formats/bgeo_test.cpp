@@ -9,8 +9,6 @@
 namespace freshet::test {
 namespace {
 
-using Words = std::initializer_list<std::int32_t>;
-
 std::string houdini_name(const std::string& name) {
   return big_endian<std::uint16_t>({std::uint16_t(name.size())}) + name;
 }

@@ -72,6 +72,20 @@ TEST(VtkLegacy, ReadsAsciiOfVersion5) {
     EXPECT_EQ(1, std::count(cloud.unused.begin(), cloud.unused.end(), name)) << name;
 }
 
+TEST(VtkLegacy, ReadsBinaryOfVersion5) {
+  const std::string bytes =
+      legacy_head("BINARY", "UNSTRUCTURED_GRID", "5.1") + "POINTS 2 float\n" +
+      big_endian<float>({1, 2, 3, 4.5, 5, 6}) + "\nMETADATA\nINFORMATION 0\n\nCELLS 3 2\n" +
+      "OFFSETS vtktypeint64\n" + big_endian<std::int64_t>({0, 1, 2}) +
+      "\nCONNECTIVITY vtktypeint64\n" + big_endian<std::int64_t>({0, 1}) + "\nCELL_TYPES 2\n" +
+      big_endian<std::int32_t>({1, 1}) + "\nPOINT_DATA 2\nFIELD FieldData 1\nv 3 2 double\n" +
+      big_endian<double>({7, 8, 9, 10, 11, 12}) + "\nMETADATA\nCOMPONENT_NAMES\nX\n\n";
+  const PointCloud cloud = points_in(bytes, "a.vtk", 3);
+  EXPECT_EQ(legacy_x, cloud.x);
+  EXPECT_EQ(legacy_v, cloud.v);
+  EXPECT_TRUE(cloud.unused.empty());
+}
+
 TEST(VtkLegacy, ReadsVelocitiesAsScalars) {
   const PointCloud cloud =
       points_in(ascii_polydata +
