@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "formats/gzip_bytes.h"
 #include "formats/numbers.h"
 #include "formats/point_arrays.h"
@@ -9,7 +11,8 @@
 namespace freshet {
 namespace {
 
-constexpr std::size_t word = 4;            // bytes of every number of a point
+constexpr std::size_t word = 4;  // bytes of every number of a point
+constexpr std::uint64_t most_attributes = 4096;
 constexpr std::size_t position_words = 4;  // x, y, z and a weight
 constexpr const char* damaged = "; the file is damaged";
 
@@ -29,6 +32,9 @@ class BgeoReader {
     const std::uint64_t points = count("points");
     for (const char* skipped : {"primitives", "point groups", "primitive groups"}) count(skipped);
     const std::uint64_t attributes = count("point attributes");
+    if (attributes > most_attributes)
+      sink_.fail(fmt::format("{} point attributes; the maximum is {}, save fewer", attributes,
+                             most_attributes));
     for (const char* skipped : {"vertex attributes", "primitive attributes", "attributes"})
       count(skipped);
     add_array("points", 3, {word, 'f'}, position_words);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <cctype>
+
 #include "core/table_text.h"
 #include "formats/numbers.h"
 #include "formats/point_arrays.h"
@@ -116,8 +118,13 @@ LegacyText::Block LegacyText::block(std::string_view of, std::uint64_t tuples,
     has_binary_ = has_binary_ || block.count > 0;
     rest_.remove_prefix(block.count * type.bytes);
   } else {
-    for (std::uint64_t k = 0; k < block.count; ++k)
-      if (word().empty()) fail(fmt::format("{} ends too early; the file is cut off", of));
+    for (std::uint64_t k = 0; k < block.count; ++k) {
+      const std::string_view number = word();
+      if (number.empty()) fail(fmt::format("{} ends too early; the file is cut off", of));
+      // the keyword of the next section, if values are missing
+      if (std::isalpha(static_cast<unsigned char>(number[0])) && !number_in(number))
+        fail(fmt::format("{}: value {} is not a number; save the file again", of, k));
+    }
   }
   block.bytes.remove_suffix(rest_.size());
   return block;
@@ -144,7 +151,7 @@ class LegacyReader {
     read_header();
     for (std::string word; !(word = text_.small_word()).empty();)
       if (!read_geometry(word) && !read_attribute(word))
-        text_.fail(fmt::format("the unknown keyword \"{}\"; save the file again", shown(word)));
+        text_.fail(fmt::format("unknown keyword \"{}\"; save the file again", shown(word)));
     sink_.line = 0;
     if (arrays_.empty()) sink_.fail("the file has no POINTS; save it again");
     const ArrayColumns columns(arrays_, sink_);

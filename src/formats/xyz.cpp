@@ -23,15 +23,18 @@ class Properties {
     while (!text_.empty()) {
       const std::string_view name = next(), type = next();
       const auto count = count_in(next());
-      if (name.empty() || type.empty() || !count || *count == 0 || *count > most_components)
-        sink_.fail("Properties= is not a list of NAME:TYPE:COUNT; save the file again");
+      if (name.empty() || type.empty() || !count || *count == 0 ||
+          *count > most_columns - names_.size())
+        sink_.fail(
+            "Properties= is not a list of NAME:TYPE:COUNT of at most 1024 columns; save the file "
+            "again");
       add(name, type, std::size_t(*count));
     }
     return std::move(names_);
   }
 
  private:
-  static constexpr std::uint64_t most_components = 1024;
+  static constexpr std::uint64_t most_columns = 1024;
 
   std::string_view next() {
     const std::size_t end = std::min(text_.find(':'), text_.size());

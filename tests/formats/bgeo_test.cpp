@@ -91,7 +91,9 @@ TEST(Bgeo, ReportsWhatIsWrong) {
   EXPECT_EQ("a.bgeo: error: attribute \"name\" has the unknown type 2; save the file without it",
             error(bgeo_head(1, 1) + attribute("name", 1, 2)));
   EXPECT_EQ("a.bgeo: error: the file ends too early; it is cut off",
-            error(bgeo_head(1, 2147483647) + attribute("v", 3, 5)));
+            error(bgeo_head(1, 2) + attribute("v", 3, 5)));
+  EXPECT_EQ("a.bgeo: error: 2147483647 point attributes; the maximum is 4096, save fewer",
+            error(gzipped(bgeo_head(1, 2147483647) + std::string(1 << 20, '\0'))));
   EXPECT_EQ("a.bgeo: error: array \"points\" is nan at point 0; its values must be finite",
             error(bgeo_head(1, 0) + big_endian<float>({1, NAN, 3, 1})));
   EXPECT_EQ("a.bgeo: error: the file has no points; name another file", error(bgeo_head(0, 0)));

@@ -140,7 +140,7 @@ TEST(VtkLegacy, ReportsLineAndRemedy) {
                   big_endian<float>({1, INFINITY, 3})));
   EXPECT_EQ("a.vtk:8: error: POINT_DATA is 3, and the number of points is 2; save the file again",
             error(ascii_polydata + "POINT_DATA 3\n"));
-  EXPECT_EQ("a.vtk:9: error: the unknown keyword \"vecters\"; save the file again",
+  EXPECT_EQ("a.vtk:9: error: unknown keyword \"vecters\"; save the file again",
             error(ascii_polydata + "POINT_DATA 2\nVECTERS v float\n"));
   EXPECT_EQ(
       "a.vtk:10: error: array \"v\" has 3 tuples, and the number of points is 2; save the file "
@@ -148,6 +148,8 @@ TEST(VtkLegacy, ReportsLineAndRemedy) {
       error(ascii_polydata + "POINT_DATA 2\nFIELD FieldData 1\nv 3 3 float\n"));
   EXPECT_EQ("a.vtk:10: error: FIELD has fewer arrays than its count; the file is cut off",
             error(ascii_polydata + "POINT_DATA 2\nFIELD FieldData 2\na 1 2 int 1 2\n"));
+  EXPECT_EQ("a.vtk:11: error: array \"p\": value 1 is not a number; save the file again",
+            error(ascii_polydata + "POINT_DATA 2\nSCALARS p float\n5\nNORMALS n float\n"));
   EXPECT_EQ("a.vtk:8: error: POINTS occurs twice; save the points as one data set",
             error(ascii_polydata + "POINTS 2 float\n"));
   EXPECT_EQ("a.vtk: error: z is 3, and the scene is in 2D; make it 0, or add z to domain.max",

@@ -70,8 +70,12 @@ TEST(Xyz, ReportsLineAndRemedy) {
       "a.xyz:3: error: 4 unnamed columns of numbers; write Properties=species:S:1:pos:R:3 or other "
       "columns into line 2, or save it as *.csv",
       error("1\n\n18 1 2 3\n"));
-  EXPECT_EQ("a.xyz:2: error: Properties= is not a list of NAME:TYPE:COUNT; save the file again",
-            error("1\nProperties=pos:R\nAr 1 2 3\n"));
+  EXPECT_EQ(
+      "a.xyz:2: error: Properties= is not a list of NAME:TYPE:COUNT of at most 1024 columns; save "
+      "the file again",
+      error("1\nProperties=pos:R\nAr 1 2 3\n"));
+  EXPECT_TRUE(
+      error("1\nProperties=a:R:1024:b:R:1\nAr 1 2 3\n").starts_with("a.xyz:2: error: Properties="));
   EXPECT_EQ(
       "a.xyz:4: error: a number is nan; positions and velocities must be finite, at most 1e15",
       error("2\n\nAr 1 2 3\nAr 1 nan 3\n"));
