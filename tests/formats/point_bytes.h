@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Helpers for tests of point files.
 #pragma once
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cstring>
 #include <string>
