@@ -4,10 +4,7 @@
 #include <algorithm>
 
 #ifdef FRESHET_BULLET
-#include <btBulletDynamicsCommon.h>
-
-#include "scene/model/loaded_mesh.h"
-#include "scene/model/solid_of.h"
+#include "bodies/rigid_step.h"
 #endif
 
 namespace freshet {
@@ -16,55 +13,7 @@ namespace freshet {
 
 namespace {
 
-using Point = Vec<3, double>;
-
-btVector3 bullet(Point p) { return {p.x, p.y, p.z}; }
-btVector3 bullet(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 std::array<double, 3> array(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
-btVector3 in_space(const Vector& v) { return {v[0], v[1], v.size() == 3 ? v[2] : 0.0}; }
-
-constexpr double margin = 0.02;  // over the smallest half side of a shape: Bullet's edge radius
-constexpr int sweeps = 100;      // iterations of the solver over contacts and hinges
-
-/// The triangles of a mesh, moved by -from.
-std::unique_ptr<btTriangleMesh> triangles_of(const TriangleMesh& mesh, Point from) {
-  auto all = std::make_unique<btTriangleMesh>();
-  for (int t = 0; t < int(mesh.triangles.size()); ++t) {
-    const auto c = mesh.corners(t);
-    all->addTriangle(bullet(c[0] - from), bullet(c[1] - from), bullet(c[2] - from));
-  }
-  return all;
-}
-
-/// A collision shape and the memory that it refers to.
-struct Collider {
-  std::unique_ptr<btTriangleMesh> triangles;
-  std::unique_ptr<btCollisionShape> shape;
-  btTransform place = btTransform::getIdentity();
-};
-
-/// A box, ball or cylinder around the origin. Bullet's cylinder is along y; `turn` rotates it to
-/// the region's axis.
-std::unique_ptr<btCollisionShape> shape_of(const Scene::Region& r, bool flat, btQuaternion& turn) {
-  std::unique_ptr<btCollisionShape> shape;
-  double least = r.radius;
-  if (r.shape == Shape::box) {
-    btVector3 half = (in_space(r.max) - in_space(r.min)) / 2;
-    if (flat) half.setZ(std::max(half.x(), half.y()));
-    least = half[half.minAxis()];
-    shape = std::make_unique<btBoxShape>(half);
-  } else if (r.shape == Shape::sphere && !flat) {
-    return std::make_unique<btSphereShape>(r.radius);
-  } else if (r.shape == Shape::sphere) {
-    shape = std::make_unique<btCylinderShapeZ>(btVector3(r.radius, r.radius, r.radius));
-  } else {
-    shape = std::make_unique<btCylinderShape>(btVector3(r.radius, r.length / 2, r.radius));
-    least = std::min(r.radius, r.length / 2);
-    turn = shortestArcQuat(btVector3(0, 1, 0), bullet(unit_of<3>(r.axis)));
-  }
-  shape->setMargin(margin * least);
-  return shape;
-}
 
 }  // namespace
 
@@ -84,98 +33,22 @@ struct RigidWorld::Impl {
   std::vector<Collider> walls;
 
   Impl(const Scene& s, const std::vector<BodyShape>& b)
-      : scene(s), shapes(b), flat(s.dimension() == 2) {
+      : scene(s), shapes(b), flat(s.dimension() == 2), walls(wall_colliders(s)) {
     for (std::size_t k = 0; k < s.body.size(); ++k) bodies.push_back(body(k));
-    sides();
-    for (const Scene::Wall& w : s.wall) wall(w);
   }
 
   Body body(std::size_t k) const {
     const Scene::Body& b = scene.body[k];
     const BodyShape& shape = shapes[k];
     Body out;
-    const bool free = b.motion == BodyMotion::free;
-    if (free) out.mass = b.mass.value_or(b.density.value_or(0) * shape.volume);
-    const double density = out.mass / shape.volume;
-    if (b.shape != Shape::mesh) out.collider.shape = shape_of(b, flat, out.turn);
-    else mesh(b, shape, free, out);
+    if (b.motion == BodyMotion::free)
+      out.mass = b.mass.value_or(b.density.value_or(0) * shape.volume);
+    out.collider = body_collider(scene, k, shape, out.turn);
     const btMatrix3x3 turn(out.turn);
-    btMatrix3x3 inertia(shape.inertia[0][0], shape.inertia[0][1], shape.inertia[0][2],
-                        shape.inertia[1][0], shape.inertia[1][1], shape.inertia[1][2],
-                        shape.inertia[2][0], shape.inertia[2][1], shape.inertia[2][2]);
-    inertia = turn.transpose() * inertia * turn;
-    for (int d = 0; d < 3; ++d) out.inertia[d] = density * inertia[d][d];
-    if (flat) out.inertia[0] = out.inertia[1] = out.inertia[2];  // it turns about z only
+    const btMatrix3x3 inertia = turn.transpose() * bullet(shape.inertia) * turn;
+    for (int d = 0; d < 3; ++d) out.inertia[d] = out.mass / shape.volume * inertia[d][d];
+    if (flat) out.inertia[0] = out.inertia[1] = 0;  // Bullet: infinite; it turns about z only
     return out;
-  }
-  /// The collider of a mesh. That of a free body is the convex hull, because Bullet cannot move
-  /// concave meshes.
-  static void mesh(const Scene::Body& b, const BodyShape& shape, bool free, Body& out) {
-    const TriangleMesh& m = b.loaded->distance.mesh();
-    if (!free) {
-      out.collider.triangles = triangles_of(m, shape.center);
-      out.collider.shape =
-          std::make_unique<btBvhTriangleMeshShape>(out.collider.triangles.get(), true);
-      out.collider.shape->setMargin(0);
-      return;
-    }
-    btMatrix3x3 inertia(shape.inertia[0][0], shape.inertia[0][1], shape.inertia[0][2],
-                        shape.inertia[1][0], shape.inertia[1][1], shape.inertia[1][2],
-                        shape.inertia[2][0], shape.inertia[2][1], shape.inertia[2][2]);
-    btMatrix3x3 principal;
-    inertia.diagonalize(principal, 1e-12 * (inertia[0][0] + inertia[1][1] + inertia[2][2]), 100);
-    principal.getRotation(out.turn);
-    out.turn.normalize();
-    auto hull = std::make_unique<btConvexHullShape>();
-    const btMatrix3x3 back = btMatrix3x3(out.turn).transpose();
-    for (const Point& p : m.points) hull->addPoint(back * bullet(p - shape.center), false);
-    hull->recalcLocalAabb();
-    hull->optimizeConvexHull();
-    hull->setMargin(1e-3 * shape.reach);
-    out.collider.shape = std::move(hull);
-  }
-
-  void plane(const btVector3& normal, const btVector3& point) {
-    walls.emplace_back();
-    walls.back().shape = std::make_unique<btStaticPlaneShape>(normal, normal.dot(point));
-  }
-  void box_inside(const btVector3& low, const btVector3& high) {
-    for (int d = 0; d < scene.dimension(); ++d) {
-      btVector3 n(0, 0, 0);
-      n[d] = 1;
-      plane(n, low);
-      plane(-n, high);
-    }
-  }
-  void sides() {
-    for (int side = 0; side < 2 * scene.dimension(); ++side) {
-      if (scene.periodic(side / 2) || scene.side_method(side) == WallMethod::open) continue;
-      btVector3 n(0, 0, 0);
-      n[side / 2] = side % 2 ? -1 : 1;
-      plane(n, in_space(side % 2 ? scene.domain.max : scene.domain.min));
-    }
-  }
-  void wall(const Scene::Wall& w) {
-    const bool tank = w.side == Side::inside;
-    if (w.shape == Shape::plane) {
-      btVector3 n = in_space(w.normal).normalized();
-      plane(tank ? -n : n, in_space(w.point));
-    } else if (w.shape == Shape::box && tank) {
-      box_inside(in_space(w.min), in_space(w.max));
-    } else if (w.shape == Shape::mesh) {
-      walls.emplace_back();
-      walls.back().triangles = triangles_of(w.loaded->distance.mesh(), {});
-      walls.back().shape =
-          std::make_unique<btBvhTriangleMeshShape>(walls.back().triangles.get(), true);
-      walls.back().shape->setMargin(0);
-    } else if (!tank && w.shape != Shape::points) {
-      btQuaternion turn = btQuaternion::getIdentity();
-      walls.emplace_back();
-      walls.back().shape = shape_of(w, flat, turn);
-      walls.back().place.setRotation(turn);
-      walls.back().place.setOrigin(w.shape == Shape::box ? (in_space(w.min) + in_space(w.max)) / 2
-                                                         : in_space(w.center));
-    }
   }
 
   std::size_t named(const std::string& name) const {
@@ -183,144 +56,87 @@ struct RigidWorld::Impl {
     while (scene.body_name(k) != name) ++k;
     return k;
   }
+
+  btRigidBody& add_body(RigidStep& step, std::size_t k, const BodyState& state,
+                        const Load& load) const {
+    const Scene::Body& of = scene.body[k];
+    const auto& q = state.orientation;
+    const btTransform place(btQuaternion(q[0], q[1], q[2], q[3]) * bodies[k].turn,
+                            bullet(state.position));
+    btRigidBody& b = step.add(bodies[k].mass, bodies[k].inertia, place, &bodies[k].collider);
+    b.setFriction(of.friction);
+    b.setRestitution(of.restitution);
+    const btVector3 v = bullet(state.velocity), omega = bullet(state.angular_velocity);
+    if (of.motion == BodyMotion::moved) {
+      b.setCollisionFlags(b.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+      b.setLinearVelocity(v);
+      b.setAngularVelocity(omega);
+    } else if (of.motion == BodyMotion::free) {
+      if (flat) {
+        b.setLinearFactor({1, 1, 0});
+        b.setAngularFactor({0, 0, 1});
+      }
+      b.setLinearVelocity(v);
+      b.setAngularVelocity(omega);
+      b.applyCentralForce(bullet(load.force));
+      b.applyTorque(bullet(load.torque));
+    }
+    return b;
+  }
+
+  void add_hinges(RigidStep& step, const std::vector<btRigidBody*>& all, double dt) const {
+    btRigidBody* world = nullptr;
+    for (const Scene::Joint& joint : scene.joint) {
+      // the hinge in the axes of each of the two bodies, from their initial positions
+      const auto at = [&](std::size_t k, const btVector3& x) {
+        return btMatrix3x3(bodies[k].turn).transpose() * (x - bullet(shapes[k].center));
+      };
+      const auto along = [&](std::size_t k, const btVector3& a) {
+        return btMatrix3x3(bodies[k].turn).transpose() * a;
+      };
+      const std::size_t k = named(joint.body);
+      const btVector3 x = bullet(joint.point),
+                      a = flat ? btVector3(0, 0, 1) : bullet(joint.axis).normalized();
+      std::unique_ptr<btHingeConstraint> hinge;
+      if (joint.other.empty()) {
+        if (!world) world = &step.add(0, {0, 0, 0}, btTransform::getIdentity(), nullptr);
+        hinge = std::make_unique<btHingeConstraint>(*all[k], *world, at(k, x), x, along(k, a), a);
+      } else {
+        const std::size_t j = named(joint.other);
+        hinge = std::make_unique<btHingeConstraint>(*all[k], *all[j], at(k, x), at(j, x),
+                                                    along(k, a), along(j, a));
+      }
+      btHingeConstraint& added = step.hinge(std::move(hinge));
+      if (joint.motor_speed)
+        added.enableAngularMotor(true, *joint.motor_speed, joint.motor_torque.value_or(0) * dt);
+    }
+  }
+
+  void read(const btRigidBody& b, std::size_t k, BodyState& state) const {
+    btQuaternion q = b.getWorldTransform().getRotation() * bodies[k].turn.inverse();
+    q.normalize();
+    state.position = array(b.getWorldTransform().getOrigin());
+    state.orientation = {q.x(), q.y(), q.z(), q.w()};
+    state.velocity = array(b.getLinearVelocity());
+    state.angular_velocity = array(b.getAngularVelocity());
+  }
 };
-
-namespace {
-
-/// A Bullet world for one step. It is created for each step, so that contacts are no hidden state.
-class Step {
- public:
-  Step()
-      : configuration_(few()),
-        dispatcher_(&configuration_),
-        world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
-    world_.setGravity({0, 0, 0});
-    world_.getDispatchInfo().m_deterministicOverlappingPairs = true;
-    btContactSolverInfo& info = world_.getSolverInfo();
-    info.m_numIterations = sweeps;
-    info.m_splitImpulsePenetrationThreshold = 1e30;  // penetration never adds speed
-    info.m_restitutionVelocityThreshold = 0.05;
-  }
-  ~Step() {
-    for (auto& hinge : hinges_) world_.removeConstraint(hinge.get());
-    for (auto& body : bodies_) world_.removeRigidBody(body.get());
-  }
-  Step(const Step&) = delete;
-
-  btRigidBody& add(double mass, btCollisionShape* shape, const btVector3& inertia,
-                   const btTransform& place) {
-    btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shape, inertia);
-    info.m_startWorldTransform = place;
-    info.m_friction = info.m_restitution = 1;
-    bodies_.push_back(std::make_unique<btRigidBody>(info));
-    bodies_.back()->setActivationState(DISABLE_DEACTIVATION);
-    // Near bodies are no contact: Bullet would brake them before they touch, and they would not
-    // bounce.
-    bodies_.back()->setContactProcessingThreshold(0);
-    world_.addRigidBody(bodies_.back().get());
-    return *bodies_.back();
-  }
-  btHingeConstraint& hinge(std::unique_ptr<btHingeConstraint> h) {
-    hinges_.push_back(std::move(h));
-    world_.addConstraint(hinges_.back().get(), true);
-    return *hinges_.back();
-  }
-  void advance(double dt) { world_.stepSimulation(dt, 0); }
-
- private:
-  static btDefaultCollisionConstructionInfo few() {
-    btDefaultCollisionConstructionInfo info;
-    info.m_defaultMaxPersistentManifoldPoolSize = 64;
-    info.m_defaultMaxCollisionAlgorithmPoolSize = 64;
-    return info;
-  }
-  btDefaultCollisionConfiguration configuration_;
-  btCollisionDispatcher dispatcher_;
-  btDbvtBroadphase broadphase_;
-  btSequentialImpulseConstraintSolver solver_;
-  btDiscreteDynamicsWorld world_;
-  std::vector<std::unique_ptr<btRigidBody>> bodies_;
-  std::vector<std::unique_ptr<btHingeConstraint>> hinges_;
-};
-
-}  // namespace
 
 RigidWorld::RigidWorld(const Scene& scene, const std::vector<BodyShape>& shapes)
     : impl_(std::make_unique<Impl>(scene, shapes)) {}
 RigidWorld::~RigidWorld() = default;
 
 void RigidWorld::step(std::vector<BodyState>& states, std::span<const Load> loads, double dt) {
-  Step step;
   const Impl& w = *impl_;
+  RigidStep step(w.scene);
   std::vector<btRigidBody*> all;
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    const BodyState& state = states[k];
-    const Scene::Body& scene = w.scene.body[k];
-    const auto& body = w.bodies[k];
-    const auto& q = state.orientation;
-    const btTransform place(btQuaternion(q[0], q[1], q[2], q[3]) * body.turn,
-                            bullet(state.position));
-    btRigidBody& b = step.add(body.mass, body.collider.shape.get(), body.inertia, place);
-    b.setFriction(scene.friction);
-    b.setRestitution(scene.restitution);
-    const btVector3 v = bullet(state.velocity), omega = bullet(state.angular_velocity);
-    if (scene.motion == BodyMotion::moved) {
-      // Bullet derives the velocity of a kinematic body from this place and the one of dt before.
-      b.setCollisionFlags(b.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
-      btTransform before;
-      btTransformUtil::integrateTransform(place, -v, -omega, dt, before);
-      b.setInterpolationWorldTransform(before);
-    } else if (scene.motion == BodyMotion::free) {
-      if (w.flat) {
-        b.setLinearFactor({1, 1, 0});
-        b.setAngularFactor({0, 0, 1});
-      }
-      b.setLinearVelocity(v);
-      b.setAngularVelocity(omega);
-      b.applyCentralForce(bullet(loads[k].force));
-      b.applyTorque(bullet(loads[k].torque));
-    }
-    all.push_back(&b);
-  }
-  for (const Collider& wall : w.walls) step.add(0, wall.shape.get(), {0, 0, 0}, wall.place);
-  btEmptyShape nothing;
-  btRigidBody* world = nullptr;
-  for (const Scene::Joint& joint : w.scene.joint) {
-    // the hinge in the axes of each of the two bodies, from their initial positions
-    const auto at = [&](std::size_t k, const btVector3& x) {
-      const Point& c = w.shapes[k].center;
-      return btMatrix3x3(w.bodies[k].turn).transpose() * (x - bullet(c));
-    };
-    const auto along = [&](std::size_t k, const btVector3& a) {
-      return btMatrix3x3(w.bodies[k].turn).transpose() * a;
-    };
-    const std::size_t k = w.named(joint.body);
-    const btVector3 x = in_space(joint.point),
-                    a = w.flat ? btVector3(0, 0, 1) : in_space(joint.axis).normalized();
-    std::unique_ptr<btHingeConstraint> hinge;
-    if (joint.other.empty()) {
-      if (!world) world = &step.add(0, &nothing, {0, 0, 0}, btTransform::getIdentity());
-      hinge = std::make_unique<btHingeConstraint>(*all[k], *world, at(k, x), x, along(k, a), a);
-    } else {
-      const std::size_t j = w.named(joint.other);
-      hinge = std::make_unique<btHingeConstraint>(*all[k], *all[j], at(k, x), at(j, x), along(k, a),
-                                                  along(j, a));
-    }
-    btHingeConstraint& added = step.hinge(std::move(hinge));
-    if (joint.motor_speed)
-      added.enableAngularMotor(true, *joint.motor_speed, joint.motor_torque.value_or(0) * dt);
-  }
+  for (std::size_t k = 0; k < states.size(); ++k)
+    all.push_back(&w.add_body(step, k, states[k], loads[k]));
+  for (const Collider& wall : w.walls) step.add(0, {0, 0, 0}, wall.place, &wall);
+  w.add_hinges(step, all, dt);
   step.advance(dt);
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    if (w.scene.body[k].motion != BodyMotion::free) continue;
-    const btTransform place = all[k]->getWorldTransform();
-    btQuaternion q = place.getRotation() * w.bodies[k].turn.inverse();
-    q.normalize();
-    states[k].position = array(place.getOrigin());
-    states[k].orientation = {q.x(), q.y(), q.z(), q.w()};
-    states[k].velocity = array(all[k]->getLinearVelocity());
-    states[k].angular_velocity = array(all[k]->getAngularVelocity());
-  }
+  for (std::size_t k = 0; k < states.size(); ++k)
+    if (w.scene.body[k].motion == BodyMotion::free) w.read(*all[k], k, states[k]);
 }
 
 #else
