@@ -227,7 +227,8 @@ struct Scene {
     std::optional<double> data_every;              // [s]
   };
   struct Picture {
-    std::int64_t width = 800, height = 600;  // [px]
+    std::optional<std::int64_t> width, height;  // [px]; follow the domain
+    bool stretch = false;                       // 2D: fills width and height
     std::optional<std::int64_t> dot_radius;  // [px]; 2D
     Dots dots = Dots::glow;                  // 2D
     Vector window;                           // x_min, y_min, x_max, y_max; 2D

@@ -13,6 +13,7 @@
 #include "run/output.h"
 #include "scene/model/body_mesh.h"
 #include "scene/model/body_shape.h"
+#include "scene/model/picture_layout.h"
 #include "sim/probes.h"
 
 namespace freshet {
@@ -173,9 +174,8 @@ class VideoFile final : public Output {
   const char* name() const override { return "video"; }
   std::vector<std::string> files() const override { return {}; }
   void start() override {
-    const auto& picture = site_.sim.scene().picture;
-    video_ = std::make_shared<Video>(options_.file, int(picture.width), int(picture.height),
-                                     options_.fps);
+    const PictureLayout picture = picture_layout(site_.sim.scene());
+    video_ = std::make_shared<Video>(options_.file, picture.width, picture.height, options_.fps);
   }
   bool due(const StepTaken& step) const override { return is_due(step.after); }
   void write(const StepTaken&) override {

@@ -13,6 +13,7 @@
 #include "render/draw.h"
 #include "render/png.h"
 #include "run/body_table.h"
+#include "scene/model/picture_layout.h"
 
 namespace freshet {
 namespace {
@@ -120,9 +121,8 @@ class FrameBodies {
 /// A film that shows each frame until the next one's time, in pictures of one length.
 class Film {
  public:
-  Film(const Scene& scene, const VideoOptions& options)
-      : fps_(options.fps),
-        video_(options.file, int(scene.picture.width), int(scene.picture.height), options.fps) {}
+  Film(const PictureLayout& picture, const VideoOptions& options)
+      : fps_(options.fps), video_(options.file, picture.width, picture.height, options.fps) {}
 
   void add(const Image& image, double time) {
     if (!start_) start_ = time;
@@ -161,7 +161,7 @@ RenderReport render(const RenderOptions& options) {
   if (options.video) Video::check(options.video->file, options.overwrite);
   if (const auto gaps = gaps_in(frames); options.warn && !gaps.empty()) options.warn(gaps);
   std::optional<Film> film;
-  if (options.video) film.emplace(scene, *options.video);
+  if (options.video) film.emplace(picture_layout(scene), *options.video);
   RenderReport report;
   for (const FrameFile& file : frames) {
     Frame frame = read_frame(file.path);

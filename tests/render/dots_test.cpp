@@ -26,6 +26,9 @@ class OneDot : public ::testing::Test {
   Image draw(float px, float py) {
     scene.domain.min = {0, 0};
     scene.domain.max = {4, 3};
+    scene.picture.width = 800;
+    scene.picture.height = 600;
+    scene.picture.stretch = true;
     Frame frame;
     frame.id = {0};
     frame.x = {px, py};
@@ -68,6 +71,36 @@ TEST(Dots, AreDiscsOfTheirColorIfSolid) {
   image = draw_dots(flat_scene(white + "picture.dots = \"solid\"\npicture.dot_radius = 10"),
                     two_dots());
   EXPECT_EQ(blue, image.at(63, 55));
+}
+
+/// The width and height of the pixels that are not background, inside the frame.
+std::pair<int, int> size_of_drawn(Image image) {
+  int left = image.width, top = image.height, right = -1, bottom = -1;
+  for (int y = 20; y < image.height - 20; ++y)
+    for (int x = 20; x < image.width - 20; ++x) {
+      if (image.at(x, y) == Color{8, 10, 28} || image.at(x, y) == Color{80, 80, 120}) continue;
+      left = std::min(left, x);
+      right = std::max(right, x);
+      top = std::min(top, y);
+      bottom = std::max(bottom, y);
+    }
+  return {right - left + 1, bottom - top + 1};
+}
+
+TEST(Dots, ACircleIsRoundInAnyPicture) {
+  for (const char* size : {"", "picture.width = 400\n", "picture.height = 300\n",
+                           "picture.width = 400\npicture.height = 300\n",
+                           "picture.width = 800\npicture.height = 120\n"}) {
+    const Scene scene = parse_scene(
+        "domain.max = [4, 1]\nparticles.spacing = 0.1\ntime = { end = 2, step = 1e-3 }\n"
+        "fluid = { min = [0, 0], max = [1, 0.5] }\n"
+        "wall = { shape = \"sphere\", center = [2, 0.5], radius = 0.3 }\n" +
+            std::string(size),
+        "test.toml");
+    const auto [width, height] = size_of_drawn(draw_dots(scene, Frame{}));
+    EXPECT_NEAR(width, height, 1) << size;
+    EXPECT_GT(width, 40) << size;
+  }
 }
 
 TEST(Dots, WallShapesAreDrawn) {

@@ -51,8 +51,23 @@ void camera_keys(KeyVisitor& v, Scene::Camera& c) {
 void picture_keys(KeyVisitor& v, Scene& s) {
   auto& p = s.picture;
   v.section("picture", "How a frame is drawn.", [&] {
-    v.integer("width", p.width, {.unit = "px", .text = "width", .min = 32, .max = 8192});
-    v.integer("height", p.height, {.unit = "px", .text = "height", .min = 32, .max = 8192});
+    v.integer("width", p.width,
+              {.unit = "px",
+               .text = "width",
+               .min = 32,
+               .max = 8192,
+               .fallback = "follows the height and the domain; the longer side of the domain is "
+                           "800 if neither is set"});
+    v.integer("height", p.height,
+              {.unit = "px",
+               .text = "height",
+               .min = 32,
+               .max = 8192,
+               .fallback = "follows the width and the domain"});
+    v.boolean("stretch", p.stretch,
+              {.unit = "",
+               .text = "in 2D: the domain fills `width` and `height`, each axis with a scale of its "
+                       "own; otherwise it is centred with equal scales"});
     v.choice("dots", p.dots, dots_words,
              {.unit = "",
               .text = "in 2D: `glow`, soft dots whose light adds up, as in the article; `solid`, "
@@ -84,7 +99,7 @@ void picture_keys(KeyVisitor& v, Scene& s) {
            {.unit = "", .text = "`night`, `black`, `grey`, `white` or `#rrggbb`"});
     v.boolean("time_stamp", p.time_stamp, {.unit = "", .text = "shows the time in a corner"});
     v.boolean("scale_bar", p.scale_bar, {.unit = "", .text = "shows a bar and its length (2D)"});
-    v.boolean("color_bar", p.color_bar, {.unit = "", .text = "shows the colours and their values"});
+    v.boolean("color_bar", p.color_bar, {.unit = "", .text = "shows the colours and their values, right of the domain"});
   });
   v.tables("camera",
            "The camera of pictures in 3D: `[camera]` for one that stands still or orbits, "
