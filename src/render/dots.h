@@ -11,7 +11,7 @@ namespace freshet {
 Color speed_color(float t);
 
 /// The picture of a 2D fluid: dots on the background, walls in grey, and a frame. Without `colors`
-/// it is the article's: soft dots that add up, coloured by speed over max(0.1, fastest).
+/// they are those of the frame alone.
 Image draw_dots(const Scene& scene, const Frame& fluid, const Coloring& colors);
 Image draw_dots(const Scene& scene, const Frame& fluid);
 

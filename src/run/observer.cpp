@@ -10,6 +10,7 @@
 #include "render/draw.h"
 #include "render/png.h"
 #include "run/checks.h"
+#include "run/percentile_table.h"
 #include "scene/keys/keys.h"
 
 namespace freshet {
@@ -41,7 +42,8 @@ Observer::Observer(Simulation& sim, FolderLock lock, RunRecord record, Inputs in
       inputs_(std::move(inputs)),
       folder_(std::move(lock)),
       tables_(record_, folder_, background_),
-      outputs_(outputs_of({sim_, schedule_, record_, folder_, background_, tables_}, video)) {
+      outputs_(
+          outputs_of({sim_, schedule_, record_, folder_, background_, tables_, ranges_}, video)) {
   prepare_checkpoints();
 }
 
@@ -91,6 +93,13 @@ void Observer::begin(const ResumeOptions& options) {
     for (auto& [name, series] : record_.series) series.times.resize(series.scheduled);
   const std::vector<Diagnostic> missing = tables_.resume(prolonged);
   if (options.warn && !missing.empty()) options.warn(missing);
+  read_ranges(options.folder / percentile_file);
+}
+
+/// A table that is missing begins again, and the colours with it.
+void Observer::read_ranges(const std::filesystem::path& file) {
+  std::error_code ec;
+  if (std::filesystem::is_regular_file(file, ec)) ranges_ = RangesByStep(file, sim_.scene()).all();
 }
 
 /// Checkpoints get their names later. Those in the folder are planned: a run may replace and rotate
@@ -159,7 +168,7 @@ void Observer::save() {
 void Observer::finish(Report& report) {
   tables_.flush();
   background_.wait();
-  const Image result = draw(sim_.scene(), sim_.frame());
+  const Image result = draw(sim_.scene(), sim_.frame(), ranges_);
   report.picture = picture_statistics(result);
   const auto names = sim_.scene().wall_names();
   for (std::size_t w = 0; w < record_.wall_forces.size(); ++w)
@@ -186,7 +195,7 @@ std::string Observer::fail() {
   std::string message;
   try {
     if (whole) {
-      folder_.write_more(failure_picture, encode_png(draw(sim_.scene(), sim_.frame())));
+      folder_.write_more(failure_picture, encode_png(draw(sim_.scene(), sim_.frame(), ranges_)));
       tables_.flush_now();
       message = fmt::format("; {} shows the moment", (folder_.path() / failure_picture).string());
     }

@@ -43,6 +43,7 @@ class Observer {
   template <class Begin> void begin_or_fail(const Begin& begin);
   void begin(const RunOptions& options);
   void begin(const ResumeOptions& options);
+  void read_ranges(const std::filesystem::path& file);
   /// Waits for the background thread; false if a job failed.
   bool come_to_rest() noexcept;
   RunPlan plan() const;
@@ -60,6 +61,7 @@ class Observer {
   std::deque<std::string> checkpoints_;
   Background background_{2};
   Tables tables_;
+  ColorRanges ranges_;
   std::vector<std::unique_ptr<Output>> outputs_;
 };
 

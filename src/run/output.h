@@ -8,6 +8,7 @@
 #include "freshet/run.h"
 #include "io/checkpoint.h"
 #include "io/run_folder.h"
+#include "render/color_range.h"
 #include "run/background.h"
 #include "run/tables.h"
 #include "scene/model/schedule.h"
@@ -22,6 +23,7 @@ struct RunSite {
   RunFolder& folder;  ///< belongs to the background thread while a job runs
   Background& background;
   Tables& tables;
+  ColorRanges& ranges;  ///< of percentiles.csv so far
 };
 
 /// Something that a run writes. It reads the simulation and never changes a step.

@@ -11,6 +11,7 @@
 #include "run/body_table.h"
 #include "run/observables.h"
 #include "run/output.h"
+#include "run/percentile_table.h"
 #include "scene/model/body_mesh.h"
 #include "scene/model/body_shape.h"
 #include "scene/model/picture_layout.h"
@@ -109,6 +110,34 @@ class ProbeTables final : public Output {
   Probes probes_;
 };
 
+/// percentiles.csv: the ranges of colours. Rows stand at the moments of the observables, of the
+/// pictures and of the data files, so that each can be drawn with the same colours later.
+class PercentileTable final : public Output {
+ public:
+  explicit PercentileTable(const RunSite& site) : site_(site) {}
+  const char* name() const override { return "percentiles"; }
+  std::vector<std::string> files() const override { return {percentile_file}; }
+  void start() override {
+    site_.tables.begin(percentile_file, percentile_header(site_.sim.scene()));
+  }
+  bool due(const StepTaken& step) const override {
+    const Schedule& schedule = site_.schedule;
+    return schedule.observe_after(step) || schedule.frame_after(step) || schedule.data_after(step);
+  }
+  void write(const StepTaken&) override {
+    const Simulation& sim = site_.sim;
+    const ColorRanges now = percentiles_of(sim.scene(), sim.frame());
+    const std::string line =
+        percentile_line(sim.scene().dimension(), sim.steps_done(), sim.time(), now);
+    if (line.empty()) return;
+    site_.tables.add(percentile_file, line);
+    include(site_.ranges, now);
+  }
+
+ private:
+  RunSite site_;
+};
+
 /// frames/frame_0000.png: pictures. The tables on disk keep up with them.
 class Pictures final : public Output {
  public:
@@ -122,8 +151,9 @@ class Pictures final : public Output {
   bool due(const StepTaken& step) const override { return site_.schedule.frame_after(step); }
   void write(const StepTaken&) override {
     auto& times = site_.record.series[name()].times;
-    site_.background.add([site = site_, k = std::int64_t(times.size()), frame = frame_of(site_)] {
-      site.folder.write(file(k), encode_png(draw(site.sim.scene(), *frame)));
+    site_.background.add([site = site_, k = std::int64_t(times.size()), frame = frame_of(site_),
+                          ranges = site_.ranges] {
+      site.folder.write(file(k), encode_png(draw(site.sim.scene(), *frame, ranges)));
     });
     times.push_back(site_.sim.time());
     site_.tables.flush();
@@ -181,10 +211,11 @@ class VideoFile final : public Output {
   void write(const StepTaken&) override {
     int times = 0;
     for (; is_due(site_.sim.time()); ++shown_) ++times;
-    site_.background.add([site = site_, video = video_, times, frame = frame_of(site_)] {
-      const Image image = draw(site.sim.scene(), *frame);
-      for (int k = 0; k < times; ++k) video->add(image);
-    });
+    site_.background.add(
+        [site = site_, video = video_, times, frame = frame_of(site_), ranges = site_.ranges] {
+          const Image image = draw(site.sim.scene(), *frame, ranges);
+          for (int k = 0; k < times; ++k) video->add(image);
+        });
   }
   bool writes_the_end() const override { return false; }
   void finish() override { video_->finish(); }
@@ -206,6 +237,7 @@ std::vector<std::unique_ptr<Output>> outputs_of(const RunSite& site,
   all.push_back(std::make_unique<Observables>(site));
   if (!scene.body.empty()) all.push_back(std::make_unique<BodyTable>(site));
   if (!scene.probe.empty()) all.push_back(std::make_unique<ProbeTables>(site));
+  all.push_back(std::make_unique<PercentileTable>(site));
   all.push_back(std::make_unique<Pictures>(site));
   if (!scene.output.data.empty()) all.push_back(std::make_unique<DataFiles>(site));
   if (video) all.push_back(std::make_unique<VideoFile>(site, *video));

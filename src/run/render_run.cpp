@@ -13,6 +13,7 @@
 #include "render/draw.h"
 #include "render/png.h"
 #include "run/body_table.h"
+#include "run/percentile_table.h"
 #include "scene/model/picture_layout.h"
 
 namespace freshet {
@@ -118,6 +119,36 @@ class FrameBodies {
   std::map<std::int64_t, std::vector<BodyState>> steps_;
 };
 
+/// The colour ranges of the frames of a run, by percentiles.csv. Runs of older versions have none:
+/// the frames themselves then count in their order.
+class FrameRanges {
+ public:
+  FrameRanges(const RenderOptions& options, const Scene& scene) : scene_(scene) {
+    const fs::path file = options.run / percentile_file;
+    std::error_code ec;
+    recorded_ = fs::is_regular_file(file, ec);
+    if (recorded_) rows_ = RangesByStep(file, scene);
+    const bool used = scene.picture.color_range.empty() &&
+                      scene.picture.color_scale == ColorScale::run &&
+                      scene.picture.color_by != ColorBy::liquid;
+    if (!recorded_ && used && options.warn)
+      options.warn({{Diagnostic::Severity::warning, file.string(),
+                     "this table is missing; the colours follow the data files instead, and can "
+                     "differ from those of the run's own pictures; to have these, put it back"}});
+  }
+  ColorRanges of(const Frame& frame) {
+    if (recorded_) return rows_.up_to(frame.step);
+    include(seen_, percentiles_of(scene_, frame));
+    return seen_;
+  }
+
+ private:
+  const Scene& scene_;
+  bool recorded_;
+  RangesByStep rows_;
+  ColorRanges seen_;
+};
+
 /// A film that shows each frame until the next one's time, in pictures of one length.
 class Film {
  public:
@@ -160,6 +191,7 @@ RenderReport render(const RenderOptions& options) {
   pictures.check(options, frames);
   if (options.video) Video::check(options.video->file, options.overwrite);
   if (const auto gaps = gaps_in(frames); options.warn && !gaps.empty()) options.warn(gaps);
+  FrameRanges ranges(options, scene);
   std::optional<Film> film;
   if (options.video) film.emplace(picture_layout(scene), *options.video);
   RenderReport report;
@@ -170,7 +202,7 @@ RenderReport render(const RenderOptions& options) {
                   fmt::format("this frame is in {}D and the run's scene in {}D; run it again",
                               frame.dimension, scene.dimension()));
     bodies.put_into(frame, file.path);
-    const Image image = draw(scene, frame, threads);
+    const Image image = draw(scene, frame, ranges.of(frame), threads);
     report.pictures.push_back(pictures.write(file, image));
     if (film) film->add(image, frame.time);
     report.interrupted =

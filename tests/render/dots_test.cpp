@@ -29,6 +29,9 @@ class OneDot : public ::testing::Test {
     scene.picture.width = 800;
     scene.picture.height = 600;
     scene.picture.stretch = true;
+    scene.picture.dots = Dots::glow;
+    scene.picture.color_map = ColorMap::article;
+    scene.picture.color_scale = ColorScale::picture;
     Frame frame;
     frame.id = {0};
     frame.x = {px, py};
@@ -53,23 +56,23 @@ TEST_F(OneDot, OutsideOrNanIsNotDrawn) {
 }
 
 TEST(Dots, ShowTheSelectedWindow) {
-  Image all = draw_dots(flat_scene(""), two_dots());
-  Image part = draw_dots(flat_scene("picture.window = [1, 0.25, 2, 0.75]"), two_dots());
+  const std::string glow = "picture.dots = \"glow\"\n";
+  Image all = draw_dots(flat_scene(glow), two_dots());
+  Image part = draw_dots(flat_scene(glow + "picture.window = [1, 0.25, 2, 0.75]"), two_dots());
   const Color ground{8, 10, 28};
   EXPECT_FALSE(all.at(55, 55) == ground);
   EXPECT_EQ(ground, part.at(55, 55));
   EXPECT_EQ(all.at(155, 55), part.at(105, 55));
 }
 
-TEST(Dots, AreDiscsOfTheirColorIfSolid) {
+TEST(Dots, AreDiscsOfTheirColor) {
   const std::string white = "picture.background = \"white\"\n";
-  Image image = draw_dots(flat_scene(white + "picture.dots = \"solid\""), two_dots());
-  const Color blue{0, 0, 255}, ground{255, 255, 255};
+  Image image = draw_dots(flat_scene(white), two_dots());
+  const Color blue{20, 76, 160}, ground{255, 255, 255};
   EXPECT_EQ(blue, image.at(55, 55));
   EXPECT_EQ(blue, image.at(58, 55));  // the spacing is 10 px
   EXPECT_EQ(ground, image.at(62, 55));
-  image = draw_dots(flat_scene(white + "picture.dots = \"solid\"\npicture.dot_radius = 10"),
-                    two_dots());
+  image = draw_dots(flat_scene(white + "picture.dot_radius = 10"), two_dots());
   EXPECT_EQ(blue, image.at(63, 55));
 }
 

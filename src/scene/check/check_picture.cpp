@@ -117,6 +117,9 @@ void check_picture(const Scene& s, Findings& out) {
   if (is_size("picture.color_range", p.color_range, 2) && !(p.color_range[1] > p.color_range[0]))
     out.error("picture.color_range",
               "picture.color_range is empty; set the minimum, then a greater maximum");
+  if (!p.color_range.empty())
+    out.unused("picture.color_scale", "picture.color_scale",
+               "picture.color_range is set; remove one of them");
   check_background(s, out);
   check_dimension(s, out);
 }

@@ -70,14 +70,14 @@ void picture_keys(KeyVisitor& v, Scene& s) {
                        "own; otherwise it is centred with equal scales"});
     v.choice("dots", p.dots, dots_words,
              {.unit = "",
-              .text = "in 2D: `glow`, soft dots whose light adds up, as in the article; `solid`, "
-                      "discs in the exact colours"});
+              .text = "in 2D: `solid`, discs in the exact colours; `glow`, soft dots whose light "
+                      "adds up, as in the article"});
     v.integer("dot_radius", p.dot_radius,
               {.unit = "px",
                .text = "radius of a particle's dot (2D)",
                .min = 1,
                .max = 200,
-               .fallback = "5; slightly more than half a spacing if `solid`"});
+               .fallback = "slightly more than half a spacing; 5 if `glow`"});
     v.numbers("window", p.window, 4,
               {.unit = "m",
                .text = "visible region in 2D: x_min, y_min, x_max, y_max",
@@ -89,12 +89,17 @@ void picture_keys(KeyVisitor& v, Scene& s) {
     v.choice("color_map", p.color_map, color_map_words,
              {.unit = "",
               .text = "colours from the minimum to the maximum",
-              .fallback = "`article` in 2D, `water` in 3D"});
+              .fallback = "`water` for `speed`, `coolwarm` for signed quantities, else `viridis`"});
     v.numbers(
         "color_range", p.color_range, 2,
         {.unit = "as color_by",
          .text = "minimum and maximum; values beyond have the colours of the ends",
-         .fallback = "range of each picture's particles; `speed` from 0 to at least 0.1 m/s"});
+         .fallback = "by `color_scale`"});
+    v.choice("color_scale", p.color_scale, color_scale_words,
+             {.unit = "",
+              .text = "range without `color_range`: `run`, what 98 % of the particles have had up "
+                      "to the picture (percentiles.csv); `picture`, the minimum and maximum of each "
+                      "picture, as in the article"});
     v.text("background", p.background,
            {.unit = "", .text = "`night`, `black`, `grey`, `white` or `#rrggbb`"});
     v.boolean("time_stamp", p.time_stamp, {.unit = "", .text = "shows the time in a corner"});
