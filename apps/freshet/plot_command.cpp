@@ -37,8 +37,8 @@ void add_plot(Program& program) {
   command.option("DIR", a->run, "the folder of a run").required();
   command
       .option("--columns", a->columns,
-              "columns of observables.csv to draw, with commas between them (default: all that "
-              "matter)")
+              "columns to draw, with commas between them, of any table over time: \"speed max\", "
+              "\"GAUGE: distance\", \"BODY: y\" (default: those of observables.csv that matter)")
       .delimiter(',');
   command.option("--output", a->output,
                  "FILE.svg, FILE.png, or a folder for both (default: DIR/plots)");

@@ -15,10 +15,6 @@
 
 namespace freshet {
 
-#ifdef FRESHET_MUPARSER
-
-namespace {
-
 std::string variable_of(const std::string& column) {
   std::string name = column;
   for (char& c : name)
@@ -26,7 +22,7 @@ std::string variable_of(const std::string& column) {
   return name;
 }
 
-}  // namespace
+#ifdef FRESHET_MUPARSER
 
 std::vector<double> evaluate(const std::string& formula, const Table& table,
                              const std::string& place) {

@@ -36,6 +36,7 @@ enum class ColorBy {
   id,
   liquid
 };
+enum class ColorScale { run, picture };
 enum class ColorMap { article, water, viridis, inferno, coolwarm };
 enum class WhenWrong { stop, warn };
 enum class DataFormat { vtp, ply, csv, hdf5 };
@@ -228,13 +229,15 @@ struct Scene {
     std::optional<double> data_every;              // [s]
   };
   struct Picture {
-    std::int64_t width = 800, height = 600;  // [px]
+    std::optional<std::int64_t> width, height;  // [px]; follow the domain
+    bool stretch = false;                       // 2D: fills width and height
     std::optional<std::int64_t> dot_radius;  // [px]; 2D
-    Dots dots = Dots::glow;                  // 2D
+    Dots dots = Dots::solid;                 // 2D
     Vector window;                           // x_min, y_min, x_max, y_max; 2D
     ColorBy color_by = ColorBy::speed;
-    std::optional<ColorMap> color_map;  // article in 2D, water in 3D
-    Vector color_range;                 // minimum and maximum; those of each picture if empty
+    std::optional<ColorMap> color_map;  // suits color_by
+    Vector color_range;                 // minimum and maximum; by color_scale if empty
+    ColorScale color_scale = ColorScale::run;
     std::string background = "night";   // a name, or "#rrggbb"
     bool time_stamp = false, scale_bar = false, color_bar = false;
   };

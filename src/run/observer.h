@@ -39,8 +39,7 @@ class Observer {
 
  private:
   using Clock = std::chrono::steady_clock;
-  Observer(Simulation& sim, FolderLock lock, RunRecord record, Inputs inputs,
-           const std::optional<VideoOptions>& video);
+  Observer(Simulation& sim, FolderLock lock, RunRecord record, Inputs inputs);
   template <class Begin> void begin_or_fail(const Begin& begin);
   void begin(const RunOptions& options);
   void begin(const ResumeOptions& options);
@@ -61,6 +60,7 @@ class Observer {
   Background background_{2};
   Tables tables_;
   FrameSource frames_;
+  ColorRanges ranges_;
   std::vector<std::unique_ptr<Output>> outputs_;
 };
 

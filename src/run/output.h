@@ -8,6 +8,7 @@
 #include "freshet/run.h"
 #include "io/checkpoint.h"
 #include "io/run_folder.h"
+#include "render/color_range.h"
 #include "run/background.h"
 #include "run/frame_source.h"
 #include "run/tables.h"
@@ -24,6 +25,7 @@ struct RunSite {
   Background& background;
   Tables& tables;
   FrameSource& frames;
+  ColorRanges& ranges;  ///< of percentiles.csv so far
 };
 
 /// Something that a run writes. It reads the simulation and never changes a step.
@@ -36,6 +38,8 @@ class Output {
   virtual std::vector<std::string> files() const = 0;
   /// Writes what is known before the first step. A resumed run skips it.
   virtual void start() {}
+  /// Continues what the run had written up to its checkpoint. Returns warnings.
+  virtual std::vector<Diagnostic> resume() { return {}; }
   /// Whether it may show the fluid within a step from `from` to at most `to` [s].
   virtual bool shows_between(double, double) const { return false; }
   /// Writes what is due after `step`, or gives a background job a copy of it. Returns whether it
@@ -48,7 +52,6 @@ class Output {
 };
 
 /// In the order in which they write after a step.
-std::vector<std::unique_ptr<Output>> outputs_of(const RunSite& site,
-                                                const std::optional<VideoOptions>& video);
+std::vector<std::unique_ptr<Output>> outputs_of(const RunSite& site);
 
 }  // namespace freshet

@@ -5,13 +5,14 @@
 #include <optional>
 
 #include "io/frame_data.h"
-#include "io/video.h"
 #include "render/draw.h"
 #include "render/png.h"
 #include "run/body_table.h"
 #include "run/interval.h"
 #include "run/observables.h"
 #include "run/output.h"
+#include "run/percentile_table.h"
+#include "run/video_output.h"
 #include "scene/model/body_mesh.h"
 #include "scene/model/body_shape.h"
 #include "sim/probes.h"
@@ -161,6 +162,47 @@ class ProbeTables final : public Output {
   Probes probes_;
 };
 
+/// percentiles.csv: the ranges of colours. It has a row after each step in which observables,
+/// pictures or data files are due, so that each can be drawn with the same colours later.
+class PercentileTable final : public Output {
+ public:
+  explicit PercentileTable(const RunSite& site) : site_(site) {}
+  const char* name() const override { return "percentiles"; }
+  std::vector<std::string> files() const override { return {percentile_file}; }
+  void start() override {
+    site_.tables.begin(percentile_file, percentile_header(site_.sim.scene()));
+  }
+  /// A table that is missing begins again, and the colours with it. A run of an older version had
+  /// none.
+  std::vector<Diagnostic> resume() override {
+    if (!site_.record.tables.contains(percentile_file)) start();
+    const auto file = site_.folder.path() / percentile_file;
+    std::error_code ec;
+    if (std::filesystem::is_regular_file(file, ec))
+      site_.ranges = RangesByStep(file, site_.sim.scene()).all();
+    return {};
+  }
+  bool write(const StepTaken& step) override {
+    const Schedule& schedule = site_.schedule;
+    const bool due = schedule.observe_after(step) || !schedule.frame().frames_in(step).empty() ||
+                     !schedule.data().frames_in(step).empty();
+    if (due) write_end();
+    return due;
+  }
+  void write_end() override {
+    const Simulation& sim = site_.sim;
+    const ColorRanges now = percentiles_of(sim.scene(), sim.frame());
+    const std::string line =
+        percentile_line(sim.scene().dimension(), sim.steps_done(), sim.time(), now);
+    if (line.empty()) return;
+    site_.tables.add(percentile_file, line);
+    include(site_.ranges, now);
+  }
+
+ private:
+  RunSite site_;
+};
+
 /// frames/frame_0000.png: pictures. The tables on disk keep up with them.
 class Pictures final : public Output {
  public:
@@ -185,8 +227,9 @@ class Pictures final : public Output {
   void add(double time) {
     auto& times = site_.record.series[name()].times;
     site_.background.add(
-        [site = site_, k = std::int64_t(times.size()), frame = site_.frames.at(time)] {
-          site.folder.write_more(file(k), encode_png(draw(site.sim.scene(), *frame)));
+        [site = site_, k = std::int64_t(times.size()), frame = site_.frames.at(time),
+         ranges = site_.ranges] {
+          site.folder.write_more(file(k), encode_png(draw(site.sim.scene(), *frame, ranges)));
         });
     times.push_back(time);
     site_.tables.flush();
@@ -236,48 +279,19 @@ class DataFiles final : public Output {
   RunSite site_;
 };
 
-/// A video outside the run's folder, at its own rate of frames.
-class VideoFile final : public Output {
- public:
-  VideoFile(const RunSite& site, const VideoOptions& options) : site_(site), options_(options) {}
-  const char* name() const override { return "video"; }
-  std::vector<std::string> files() const override { return {}; }
-  void start() override {
-    const auto& picture = site_.sim.scene().picture;
-    video_ = std::make_shared<Video>(options_.file, int(picture.width), int(picture.height),
-                                     options_.fps);
-  }
-  bool shows_between(double, double to) const override { return next() <= to; }
-  bool write(const StepTaken& step) override {
-    for (; next() <= step.after; ++shown_)
-      site_.background.add([site = site_, video = video_, frame = site_.frames.at(next())] {
-        video->add(draw(site.sim.scene(), *frame));
-      });
-    return true;
-  }
-  void finish() override { video_->finish(); }
-
- private:
-  /// The time of the next picture [s], with a tolerance for rounding.
-  double next() const { return std::max(0.0, double(shown_) / options_.fps - 1e-12); }
-  RunSite site_;
-  VideoOptions options_;
-  std::shared_ptr<Video> video_;
-  std::int64_t shown_ = 0;
-};
-
 }  // namespace
 
-std::vector<std::unique_ptr<Output>> outputs_of(const RunSite& site,
-                                                const std::optional<VideoOptions>& video) {
+std::vector<std::unique_ptr<Output>> outputs_of(const RunSite& site) {
   const Scene& scene = site.sim.scene();
   std::vector<std::unique_ptr<Output>> all;
   all.push_back(std::make_unique<Observables>(site));
   if (!scene.body.empty()) all.push_back(std::make_unique<BodyTable>(site));
   if (!scene.probe.empty()) all.push_back(std::make_unique<ProbeTables>(site));
+  all.push_back(std::make_unique<PercentileTable>(site));
   all.push_back(std::make_unique<Pictures>(site));
   if (!scene.output.data.empty()) all.push_back(std::make_unique<DataFiles>(site));
-  if (video) all.push_back(std::make_unique<VideoFile>(site, *video));
+  if (const auto& video = site.record.video)
+    all.push_back(std::make_unique<VideoOutput>(site, *video));
   return all;
 }
 

@@ -14,6 +14,8 @@
 #include "render/draw.h"
 #include "render/png.h"
 #include "run/body_table.h"
+#include "run/percentile_table.h"
+#include "scene/model/picture_layout.h"
 
 namespace freshet {
 namespace {
@@ -119,27 +121,57 @@ class FrameBodies {
   std::map<double, std::vector<BodyState>> times_;
 };
 
-/// A film that shows each frame until the next one's time, in pictures of one length.
-class Film {
+/// The colour ranges of the frames of a run, by percentiles.csv. Runs of older versions have none:
+/// the frames themselves then count in their order.
+class FrameRanges {
  public:
-  Film(const Scene& scene, const VideoOptions& options)
-      : fps_(options.fps),
-        video_(options.file, int(scene.picture.width), int(scene.picture.height), options.fps) {}
-
-  void add(const Image& image, double time) {
-    if (!start_) start_ = time;
-    const auto due = std::int64_t((time - *start_) * fps_ + 1e-6);
-    for (; shown_ < due; ++shown_) video_.add(*last_);
-    last_ = image;
+  FrameRanges(const RenderOptions& options, const Scene& scene) : scene_(scene) {
+    const fs::path file = options.run / percentile_file;
+    std::error_code ec;
+    recorded_ = fs::is_regular_file(file, ec);
+    if (recorded_) rows_ = RangesByStep(file, scene);
+    const bool used = scene.picture.color_range.empty() &&
+                      scene.picture.color_scale == ColorScale::run &&
+                      scene.picture.color_by != ColorBy::liquid;
+    if (!recorded_ && used && options.warn)
+      options.warn({{Diagnostic::Severity::warning, file.string(),
+                     "this table is missing; the colours follow the data files instead, and can "
+                     "differ from those of the run's own pictures; to have these, put it back"}});
   }
-  void finish() {
-    if (last_) video_.add(*last_);
-    video_.finish();
+  ColorRanges of(const Frame& frame) {
+    if (recorded_) return rows_.up_to(frame.step);
+    include(seen_, percentiles_of(scene_, frame));
+    return seen_;
   }
 
  private:
-  double fps_;
-  Video video_;
+  const Scene& scene_;
+  bool recorded_;
+  RangesByStep rows_;
+  ColorRanges seen_;
+};
+
+/// A film that shows each frame until the next one's time, in pictures of one length.
+class Film {
+ public:
+  Film(const PictureLayout& picture, const VideoOptions& options)
+      : per_second_(options.fps / options.speed),
+        video_(make_video(options.file, picture.width, picture.height, options.fps)) {}
+
+  void add(const Image& image, double time) {
+    if (!start_) start_ = time;
+    const auto due = std::int64_t((time - *start_) * per_second_ + 1e-6);
+    for (; shown_ < due; ++shown_) video_->add(*last_);
+    last_ = image;
+  }
+  void finish() {
+    if (last_) video_->add(*last_);
+    video_->finish();
+  }
+
+ private:
+  double per_second_;  // pictures per simulated second
+  std::unique_ptr<Video> video_;
   std::optional<double> start_;
   std::optional<Image> last_;
   std::int64_t shown_ = 0;
@@ -160,10 +192,11 @@ RenderReport render(const RenderOptions& options) {
   const FrameBodies bodies(options.run, scene);
   const PictureFolder pictures(options);
   pictures.check(options, frames);
-  if (options.video) Video::check(options.video->file, options.overwrite);
+  if (options.video) check_video(options.video->file, options.video->fps, options.overwrite);
   if (const auto gaps = gaps_in(frames); options.warn && !gaps.empty()) options.warn(gaps);
+  FrameRanges ranges(options, scene);
   std::optional<Film> film;
-  if (options.video) film.emplace(scene, *options.video);
+  if (options.video) film.emplace(picture_layout(scene), *options.video);
   RenderReport report;
   for (const FrameFile& file : frames) {
     Frame frame = read_frame(file.path);
@@ -172,7 +205,7 @@ RenderReport render(const RenderOptions& options) {
                   fmt::format("this frame is in {}D and the run's scene in {}D; run it again",
                               frame.dimension, scene.dimension()));
     bodies.put_into(frame, file.path);
-    const Image image = draw(scene, frame, threads);
+    const Image image = draw(scene, frame, ranges.of(frame), threads);
     report.pictures.push_back(pictures.write(file, image));
     if (film) film->add(image, frame.time);
     report.interrupted =

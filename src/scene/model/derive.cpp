@@ -11,6 +11,7 @@
 #include "scene/check/check.h"
 #include "scene/model/data_bytes.h"
 #include "scene/model/openings.h"
+#include "scene/model/picture_layout.h"
 #include "scene/model/schedule.h"
 #include "scene/model/setup.h"
 
@@ -205,6 +206,9 @@ Derived derive(const Scene& scene) {
   d.wall_particles += std::int64_t(start.bodies.body.size());
   const Schedule schedule(s);
   d.frames = schedule.frames();
+  const PictureLayout picture = picture_layout(s);
+  d.picture_width = picture.width;
+  d.picture_height = picture.height;
   d.data_frames = schedule.data_frames();
   d.data_bytes = double(d.data_frames) * data_bytes(s, d.most_particles);
   d.spacing = s.particles.spacing;
