@@ -51,8 +51,8 @@ Observer::Observer(Simulation& sim, FolderLock lock, RunRecord record, Inputs in
       folder_(std::move(lock)),
       tables_(record_, folder_, background_),
       frames_(sim_),
-      outputs_(outputs_of(
-          {sim_, schedule_, record_, folder_, background_, tables_, frames_, ranges_})) {
+      outputs_(
+          outputs_of({sim_, schedule_, record_, folder_, background_, tables_, frames_, ranges_})) {
   prepare_checkpoints();
 }
 

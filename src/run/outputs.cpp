@@ -226,11 +226,10 @@ class Pictures final : public Output {
  private:
   void add(double time) {
     auto& times = site_.record.series[name()].times;
-    site_.background.add(
-        [site = site_, k = std::int64_t(times.size()), frame = site_.frames.at(time),
-         ranges = site_.ranges] {
-          site.folder.write_more(file(k), encode_png(draw(site.sim.scene(), *frame, ranges)));
-        });
+    site_.background.add([site = site_, k = std::int64_t(times.size()),
+                          frame = site_.frames.at(time), ranges = site_.ranges] {
+      site.folder.write_more(file(k), encode_png(draw(site.sim.scene(), *frame, ranges)));
+    });
     times.push_back(time);
     site_.tables.flush();
   }
