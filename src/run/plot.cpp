@@ -10,10 +10,10 @@
 
 #include "core/text.h"
 #include "freshet/error.h"
+#include "freshet/suggest.h"
 #include "io/folder.h"
 #include "render/chart.h"
 #include "run/table.h"
-#include "scene/keys/suggest.h"
 
 namespace freshet {
 namespace {
