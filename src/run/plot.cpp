@@ -11,11 +11,11 @@
 
 #include "core/text.h"
 #include "freshet/error.h"
+#include "freshet/suggest.h"
 #include "io/folder.h"
 #include "render/axis.h"
 #include "render/chart.h"
 #include "run/plot_tables.h"
-#include "scene/keys/suggest.h"
 
 namespace freshet {
 namespace {

@@ -60,5 +60,24 @@ TEST_F(Resume, ContinuesStatisticsAndInterpolatedFrames) {
   EXPECT_TRUE(contains(read_text(folder / "run/data/frame_0001.csv"), "25,0.0123,0,"));
 }
 
+TEST_F(Resume, ContinuesTablesWithNamesInOtherAlphabets) {
+  const std::string scene =
+      (source_dir / "tests/scenes/good/names_in_other_alphabets.toml").string();
+  const fs::path whole = folder / "whole", run = folder / "run";
+  const auto start = [&](const fs::path& output, const char* end) {
+    return freshet({"run", scene, "--output", output.string(), "--set", end, "--set",
+                    "output.frame_every_steps=50"});
+  };
+  ASSERT_EQ(start(whole, "time.end=0.01").code, 0);
+  ASSERT_EQ(start(run, "time.end=0.005").code, 0);
+  ASSERT_EQ(freshet({"resume", run.string(), "--set", "time.end=0.01"}).code, 0);
+  expect_whole_run(run);
+  const std::string probe = "probes/前壁-1.csv";
+  EXPECT_EQ(read_text(run / probe), read_text(whole / probe));
+  const std::string header = lines_of(read_text(run / "observables.csv")).at(0);
+  EXPECT_TRUE(contains(header, ",force on Überlauf links x [N/m],")) << header;
+  EXPECT_TRUE(contains(header, ",flow through 計数面 [m^2/s],")) << header;
+}
+
 }  // namespace
 }  // namespace freshet::test

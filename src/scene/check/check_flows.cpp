@@ -4,9 +4,10 @@
 #include <cmath>
 #include <set>
 
+#include "freshet/suggest.h"
 #include "scene/check/findings.h"
+#include "scene/check/names.h"
 #include "scene/keys/keys.h"
-#include "scene/keys/suggest.h"
 #include "scene/model/background.h"
 #include "scene/model/openings.h"
 #include "scene/model/setup.h"
@@ -286,12 +287,9 @@ void check_flow_names(const Scene& s, Findings& out) {
     const char* kind = in ? "inlet" : to ? "outlet" : "counter";
     const std::size_t first = in ? 0 : to ? s.inlet.size() : s.inlet.size() + s.outlet.size();
     const std::string key = fmt::format("{}[{}].name", kind, k - first);
-    const bool plain = std::none_of(names[k].begin(), names[k].end(), [](unsigned char c) {
-      return c < ' ' || c == 0x7F || c == ',' || c == '"';
-    });
-    if (!plain)
+    if (!names_column(names[k]))
       out.error(key,
-                fmt::format("{}.name has a comma, a quote or a control character, which tables "
+                fmt::format("{}.name has a comma, a quote or an invisible character, which tables "
                             "do not allow; use letters, digits and _",
                             kind));
     else if (!taken.insert(names[k]).second)
