@@ -9,8 +9,8 @@
 
 namespace freshet {
 
-/// Finds all contacts anew in each step, as many points of each as its shapes touch in, so that
-/// nothing need be remembered between steps. The contacts last as long as this.
+/// Finds all contacts anew in each step, in all points in which shapes touch. Nothing is remembered
+/// between steps. The contacts last as long as this.
 class Contacts {
  public:
   Contacts(btCollisionDispatcher& dispatcher, const Scene& scene)
@@ -20,7 +20,7 @@ class Contacts {
 
   /// Adds a body or wall at its place. Both arguments must outlive this.
   void add(btRigidBody& body, const Collider& collider);
-  /// Finds the contacts of all free bodies with each other and with all else.
+  /// Finds the contacts of all free bodies with each other and with all other objects.
   void find();
 
  private:
@@ -29,7 +29,7 @@ class Contacts {
     const Collider* collider;
     btVector3 low, high;
   };
-  /// Consecutive numbers of periods; not any if count is not positive.
+  /// Consecutive numbers of periods. There are none if count is 0 or negative.
   struct Shifts {
     double first = 0;
     int count = 1;
