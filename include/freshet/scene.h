@@ -322,12 +322,25 @@ struct Scene {
 };
 
 /// A key and the value that replaces the scene's. The value is parsed as TOML; if that fails, it is
-/// a string.
-using Override = std::pair<std::string, std::string>;
+/// a string. Without a value, the key or table is removed; it must be in the scene. Diagnostics have
+/// the place "override KEY" or "removal KEY".
+using Override = std::pair<std::string, std::optional<std::string>>;
 
 /// Loads and checks a scene.
 /// Throws Error (kind scene) with every semantic error at once, or one syntax error alone.
 Scene load_scene(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
+
+struct SceneChange {
+  std::vector<Override> overrides;
+  std::vector<Diagnostic> dropped;  ///< warnings: why each key is removed
+};
+
+/// The overrides that load a scene with another solver. They remove the keys of the file that this
+/// solver does not use or whose value it does not support, so that its defaults apply. Keys that
+/// `overrides` sets, and keys that the scene's own solver does not use either, stay and are errors
+/// of load_scene.
+SceneChange change_solver(const std::filesystem::path& file, const std::string& solver,
+                          const std::vector<Override>& overrides = {});
 
 /// Parses and checks a scene from TOML text. Messages use `name` as the file name.
 /// Throws Error (kind scene) with every semantic error at once, or one syntax error alone.

@@ -15,6 +15,7 @@
 #include "render/png.h"
 #include "run/body_table.h"
 #include "run/percentile_table.h"
+#include "scene/keys/override_place.h"
 #include "scene/model/picture_layout.h"
 
 namespace freshet {
@@ -24,12 +25,15 @@ namespace fs = std::filesystem;
 
 /// The run's own scene; only what a picture shows may change.
 Scene scene_of(const RenderOptions& options) {
-  for (const auto& [key, value] : options.overrides)
-    if (!key.starts_with("picture.") && !key.starts_with("camera.") && !key.starts_with("camera["))
+  for (const Override& change : options.overrides) {
+    const std::string& key = change.first;
+    if (key != "picture" && key != "camera" && !key.starts_with("picture.") &&
+        !key.starts_with("camera.") && !key.starts_with("camera["))
       throw Error(
-          Error::Kind::scene, "override " + key,
+          Error::Kind::scene, place_of(change),
           "the run is over: only keys of [picture] and [camera] can change now; run the scene "
           "again for others");
+  }
   const fs::path file = options.run / "scene.toml";
   if (!fs::exists(file))
     throw Error(

@@ -11,6 +11,7 @@
 #include "run/record_of_scene.h"
 #include "run/video_output.h"
 #include "scene/keys/keys.h"
+#include "scene/keys/override_place.h"
 #include "scene/keys/same_steps.h"
 
 namespace freshet {
@@ -169,9 +170,9 @@ Report run(const Scene& scene, const RunOptions& options) {
 }
 
 Report resume(const ResumeOptions& options) {
-  for (const auto& [key, value] : options.overrides)
-    if (steps_depend_on(key))
-      throw Error(Error::Kind::scene, "override " + key,
+  for (const Override& change : options.overrides)
+    if (steps_depend_on(change.first) && steps_depend_on(change.first + "."))
+      throw Error(Error::Kind::scene, place_of(change),
                   "this changes what has been simulated; a run that goes on takes time.end and "
                   "the keys of output, picture, camera and checks; for another simulation, run "
                   "its scene.toml");

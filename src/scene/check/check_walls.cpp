@@ -28,14 +28,15 @@ bool check_solver(const Scene& s, WallMethod m, const std::string& key, const st
   const SolverMethod& solver = s.method();
   const bool unknown = is_sampled(m) && !solver.has_boundary_particles();
   if (unknown)
-    out.error(key, fmt::format("{} is \"{}\", and {} supports \"open\", \"reflection\" and "
-                               "\"ghost\" only; choose one, or another solver.name",
-                               name, word_of(m), solver.name));
+    out.unsupported(key, fmt::format("{} is \"{}\", and {} supports \"open\", \"reflection\" and "
+                                     "\"ghost\" only; choose one, or another solver.name",
+                                     name, word_of(m), solver.name));
   const bool extrapolates = solver.incompressible() && m == WallMethod::adami2012;
   if (extrapolates)
-    out.error(key, fmt::format("{} is \"adami2012\", which needs an equation of state, and {} has "
-                               "none; choose \"akinci2012\"{}",
-                               name, solver.name, flat ? " or \"ghost\"" : ""));
+    out.unsupported(key,
+                    fmt::format("{} is \"adami2012\", which needs an equation of state, and {} has "
+                                "none; choose \"akinci2012\"{}",
+                                name, solver.name, flat ? " or \"ghost\"" : ""));
   return !extrapolates && !unknown;
 }
 
