@@ -129,8 +129,8 @@ class Simulation {
   /// invalid; the simulation is then unchanged.
   void restore(const Checkpoint& checkpoint);
 
-  /// SHA-256 over steps_done (u64), then id (u64), x and v of each particle in id order,
-  /// little-endian: equal states have equal sums.
+  /// SHA-256 over steps_done (u64), then id (u64), x (relative to ParticleView::origin) and v of each
+  /// particle in id order, little-endian: equal states have equal sums.
   std::string state_sha256() const;
   /// SHA-256 over the kept fields (those that a restart needs), in the order of their names.
   std::string kept_sha256() const;

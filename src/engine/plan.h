@@ -78,7 +78,8 @@ struct ForcesPlan {
   }
 };
 
-/// The input of an engine. SI units.
+/// The input of an engine. SI units. Positions are relative to `origin`, except those of bodies and
+/// body particles, which are the scene's.
 struct EnginePlan {
   int dimension = 2, threads = 1;
   SolverName solver = SolverName::mueller2003;
@@ -115,6 +116,7 @@ struct EnginePlan {
   Iterations density{}, divergence{};
 
   // Domain
+  Triple origin{};  ///< in the scene [m]
   Triple min{}, max{}, gravity{};
   std::array<bool, 3> periodic{};
   /// An acceleration b(x, t) added to gravity [m/s^2]; empty: none. One thread calls it.

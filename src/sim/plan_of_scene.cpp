@@ -101,7 +101,7 @@ template <int D> void plan_copies(const Scene& s, EnginePlan& p) {
       CopyRulePlan rule;
       rule.no_slip = no_slip;
       rule.axis = axis++;
-      const auto solid = solid_of<D, Real>(wall);
+      const auto solid = solid_of<D>(wall);
       rule.point = triple(solid.center);
       rule.normal = triple(solid.normal(solid.center));
       rule.wall = number;
@@ -196,6 +196,28 @@ template <int D> void plan_forces(const Scene& s, const Derived& d, EnginePlan& 
     f.no_walls &= s.periodic(side / 2) || s.side_method(side) == WallMethod::open;
 }
 
+/// Makes the positions of a plan relative to its origin.
+void move_to_origin(EnginePlan& p) {
+  const Triple origin = p.origin;
+  const auto move = [&](Triple& x) {
+    for (std::size_t k = 0; k < 3; ++k) x[k] -= origin[k];
+  };
+  move(p.min);
+  move(p.max);
+  for (ReflectorPlan& reflector : p.reflectors) move(reflector.solid.center);
+  for (CopyRulePlan& rule : p.copies) move(rule.point);
+  for (SolidPlan& outlet : p.outlets) move(outlet.center);
+  for (OpeningPlan& counter : p.counters) move(counter.center);
+  for (InletPlan& inlet : p.inlets)
+    for (std::size_t k = 0; k < inlet.places.size(); ++k)
+      inlet.places[k] -= origin[k % std::size_t(p.dimension)];
+  if (!p.body_force) return;
+  p.body_force = [b = std::move(p.body_force), origin](const double(&x)[3], double t, double* out) {
+    const double in_scene[3] = {origin[0] + x[0], origin[1] + x[1], origin[2] + x[2]};
+    b(in_scene, t, out);
+  };
+}
+
 template <int D> void plan_all(const Scene& s, const Derived& d, EnginePlan& p) {
   plan_liquids(s, d, p);
   plan_pressure<D>(s, d, p);
@@ -229,6 +251,8 @@ EnginePlan plan_of(const Scene& s, const Derived& d, Bodies* bodies, int threads
   p.lattice_sum = d.lattice_sum;
   if (p.dimension == 2) plan_all<2>(s, d, p);
   else plan_all<3>(s, d, p);
+  p.origin = origin_of(s);
+  if (p.origin != Triple{}) move_to_origin(p);
   p.sample = sample(s);
   return p;
 }

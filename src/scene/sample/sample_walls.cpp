@@ -24,8 +24,10 @@ double setback(const Scene& s, WallMethod method) {
   return method == WallMethod::akinci2012 ? single_layer_distance(s) - s.particles.spacing : 0;
 }
 
-template <int D> void append(WallSample& to, Vec<D, double> x, std::int32_t wall) {
-  for (int k = 0; k < D; ++k) to.x.push_back(Real(component(x, k)));
+/// Appends a boundary particle at x in a scene of this origin.
+template <int D>
+void append(WallSample& to, Vec<D, double> x, const Triple& origin, std::int32_t wall) {
+  for (int k = 0; k < D; ++k) to.x.push_back(Real(component(x, k) - origin[std::size_t(k)]));
   to.wall.push_back(wall);
 }
 
@@ -71,6 +73,7 @@ template <int D> void sample_sides(const Scene& s, Sample& all) {
   const SideLattice lattice(s);
   if (lattice.beyond == Counts(D, 0)) return;
   const double akinci_setback = setback(s, WallMethod::akinci2012);
+  const Triple origin = origin_of(s);
   around_lattice<D>(lattice.n, lattice.beyond, [&](const Counts& c) {
     const int side = side_of(s, c, lattice.n);
     if (side < 0) return;
@@ -84,7 +87,7 @@ template <int D> void sample_sides(const Scene& s, Sample& all) {
       if (!s.periodic(k) && c[j] < 0) component(x, k) -= deeper;
       if (!s.periodic(k) && c[j] >= lattice.n[j]) component(x, k) += deeper;
     }
-    append(sample_of(all, s.side_method(side)), x, image ? -1 - side : side);
+    append(sample_of(all, s.side_method(side)), x, origin, image ? -1 - side : side);
   });
 }
 
@@ -156,6 +159,7 @@ template <int D> void sample_wall(const Scene& s, std::size_t wall, Sample& all)
   const bool repeats = s.wall[wall].shape != Shape::plane;  // a plane extends beyond by itself
   const auto shifts = repeats ? periodic_shifts<D>(s) : std::vector<Vec<D, double>>(1);
   WallSample& to = sample_of(all, s.wall_method(wall));
+  const Triple origin = origin_of(s);
   for (const Vec<D, double>& point : surface_points<D>(s, wall))
     for (const Vec<D, double>& shift : shifts) {
       Vec<D, double> x = point + shift, low = domain.low, high = domain.high;
@@ -165,7 +169,7 @@ template <int D> void sample_wall(const Scene& s, std::size_t wall, Sample& all)
         image |= s.periodic(k) &&
                  (component(x, k) < component(low, k) || component(x, k) >= component(high, k));
       const auto number = std::int32_t(2 * D + int(wall));
-      append(to, x, image ? -1 - number : number);
+      append(to, x, origin, image ? -1 - number : number);
     }
 }
 
