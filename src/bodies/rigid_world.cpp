@@ -149,7 +149,7 @@ struct RigidWorld::Impl {
   }
   void sides() {
     for (int side = 0; side < 2 * scene.dimension(); ++side) {
-      if (scene.periodic(side / 2) || scene.side_method(side) == WallMethod::open) continue;
+      if (scene.periodic(side / 2) || scene.is_open(side)) continue;
       btVector3 n(0, 0, 0);
       n[side / 2] = side % 2 ? -1 : 1;
       plane(n, in_space(side % 2 ? scene.domain.max : scene.domain.min));

@@ -30,6 +30,7 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
         flows_(p),
         liquids_(liquids_of(p)),
         origin_(p.origin),
+        gravity_(vec_of<D>(p.gravity)),
         iterates_(p.incompressible),
         h_(Real(p.h)),
         support_(Real(p.support)),
@@ -69,7 +70,8 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
   }
   void flow(double time, double dt) override {
     if (!flows_.any()) return;
-    const int first = flows_.advance(store_.backend, fluid_, fluid_.kind, time, dt);
+    const auto pull = [&](int i) { return gravity_ + body_force_.at(fluid_, i, time); };
+    const int first = flows_.advance(store_.backend, fluid_, fluid_.kind, time, dt, pull);
     if (first >= 0) fill_new(first);
   }
   std::vector<std::int64_t> flow_counts() const override { return flows_.counts(); }
@@ -146,6 +148,7 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
   }
   void set_gravity(const Triple& gravity) override {
     stepper_->set_gravity(vec_of<D, Real>(gravity));
+    gravity_ = vec_of<D>(gravity);
   }
   void set_force(AddForce force) override { body_force_.set_custom(std::move(force)); }
   std::vector<BodyState> bodies() const override {
@@ -311,6 +314,7 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
   Flows<D> flows_;
   Liquids liquids_;
   Triple origin_;           // of positions, in the scene
+  Vec<D, double> gravity_;  // for particles outside of the domain
   bool iterates_;
   Real h_, support_, rho0_, m_;
   std::size_t wall_count_;

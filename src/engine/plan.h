@@ -119,6 +119,7 @@ struct EnginePlan {
   Triple origin{};  ///< in the scene [m]
   Triple min{}, max{}, gravity{};
   std::array<bool, 3> periodic{};
+  unsigned open_sides = 0;  ///< bit 2k: min, 2k + 1: max of axis k; none of a periodic axis
   /// An acceleration b(x, t) added to gravity [m/s^2]; empty: none. One thread calls it.
   std::function<void(const double (&x)[3], double t, double* b)> body_force;
   bool body_force_varies = false;  ///< whether b depends on x

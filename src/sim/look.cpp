@@ -24,8 +24,7 @@ template <int D> class Looker {
         rest_density_(d.rest_density) {
     for (const Scene::Liquid& liquid : s.liquids())
       heaviness_.push_back(liquid.rest_density / d.rest_density);
-    for (int side = 0; side < 2 * D; ++side)
-      open_[std::size_t(side)] = !s.periodic(side / 2) && s.side_method(side) == WallMethod::open;
+    for (int side = 0; side < 2 * D; ++side) open_[std::size_t(side)] = s.is_open(side);
     for (const Scene::Wall& wall : s.wall)
       if (wall.shape != Shape::points) walls_.emplace_back(wall);
   }

@@ -36,6 +36,8 @@ void plan_domain(const Scene& s, EnginePlan& p) {
   p.max = triple(s.domain.max);
   p.gravity = triple(s.domain.gravity);
   for (int k = 0; k < p.dimension; ++k) p.periodic[std::size_t(k)] = s.periodic(k);
+  for (int side = 0; side < 2 * p.dimension; ++side)
+    p.open_sides |= unsigned(s.is_open(side)) << side;
   const auto force = std::make_shared<Expressions>(s.domain.body_force);
   if (force->empty()) return;
   p.body_force = [force, functions = s.domain.body_force, place = place_of(s, "domain.body_force")](
@@ -192,8 +194,7 @@ template <int D> void plan_forces(const Scene& s, const Derived& d, EnginePlan& 
   f.mean_depth = mean_distance<D>(W, p.support) * (D == 2 ? 2 / double(pi) : 0.5);
   f.neighbors = d.neighbors;
   f.no_walls = s.wall.empty();
-  for (int side = 0; side < 2 * D; ++side)
-    f.no_walls &= s.periodic(side / 2) || s.side_method(side) == WallMethod::open;
+  for (int side = 0; side < 2 * D; ++side) f.no_walls &= s.periodic(side / 2) || s.is_open(side);
 }
 
 /// Makes the positions of a plan relative to its origin.

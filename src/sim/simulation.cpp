@@ -253,8 +253,8 @@ std::vector<Flow> Simulation::flows(const Moment& since) const {
   const double interval = i.time - since.time;
   std::vector<Flow> all;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    const bool in = k < s.inlet.size(), out = !in && k < s.inlet.size() + s.outlet.size();
-    Flow f{in ? "inlet" : out ? "outlet" : "counter", names[k], counts[k]};
+    const bool in = k < s.inlet.size();
+    Flow f{s.flow_kind(k), names[k], counts[k]};
     f.volume = volume * double(f.particles);
     const std::int64_t before = k < since.passed.size() ? since.passed[k] : 0;
     if (interval > 0) f.rate = volume * double(f.particles - before) / interval;

@@ -35,7 +35,7 @@ const std::map<std::string, std::set<std::string>> arrows{
     {"mesh", {"api", "core", "formats", "assimp", "fmt"}},
     {"scene",
      {"api", "core", "kernels", "boundary", "formats", "mesh", "toml++", "fmt", "muParser.h"}},
-    {"bodies", {"api", "core", "mesh", "scene", "btBulletDynamicsCommon.h"}},
+    {"bodies", {"api", "boundary", "core", "mesh", "scene", "btBulletDynamicsCommon.h"}},
     {"render", {"api", "boundary", "cairo", "core", "fmt", "mesh", "scene", "spng.h"}},
     {"io", {"api", "core", "render", "formats", "fmt", "nlohmann", "hdf5.h", "commit.h"}},
     {"backend", {"api", "core", "boundary"}},

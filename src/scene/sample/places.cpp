@@ -115,8 +115,7 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
   margin_ = of_file ? 0 : 0.49 * spacing_;
   for (int side = 0; side < 2 * D; ++side) {  // the sides that places keep a distance from
     const auto k = std::size_t(side / 2);
-    if (as_given || f.outside == Outside::clamp || s.periodic(side / 2) ||
-        s.side_method(side) == WallMethod::open)
+    if (as_given || f.outside == Outside::clamp || s.periodic(side / 2) || s.is_open(side))
       continue;
     if (side % 2) high_[k] = s.domain.max[k];
     else low_[k] = s.domain.min[k];
