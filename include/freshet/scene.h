@@ -308,6 +308,10 @@ struct Scene {
   /// The wall method of side 2d + (0: min, 1: max), d the axis. It ignores periodic axes.
   WallMethod side_method(int side) const;
   WallMethod wall_method(std::size_t k) const;
+  /// Whether the fluid leaves through this side.
+  bool is_open(int side) const {
+    return !periodic(side / 2) && side_method(side) == WallMethod::open;
+  }
   bool periodic(int axis) const { return int(domain.periodic) >> axis & 1; }
   Integrator integrator() const;
   /// As set. Default: artificial for wcsph and delta_sph, monaghan2005 for the others.
@@ -315,9 +319,11 @@ struct Scene {
   /// The names by which wall forces are reported: "x_min" ... "z_max", then the walls' names.
   std::vector<std::string> wall_names() const;
   /// Whether particles are added or removed during the run.
-  bool has_flows() const { return !inlet.empty() || !outlet.empty(); }
-  /// The names by which flows are reported: inlets, then outlets, then counters.
+  bool has_flows() const;
+  /// The names by which flows are reported: inlets, then outlets, then counters, then open sides.
   std::vector<std::string> flow_names() const;
+  /// "inlet", "outlet", "counter" or "open side": what the k-th of flow_names() is.
+  const char* flow_kind(std::size_t k) const;
   std::string body_name(std::size_t k) const;
 };
 

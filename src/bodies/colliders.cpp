@@ -94,7 +94,7 @@ class WallColliders {
   void sides() {
     const btVector3 middle = middle_of(scene_.domain.min, scene_.domain.max);
     for (int side = 0; side < 2 * scene_.dimension(); ++side) {
-      if (scene_.periodic(side / 2) || scene_.side_method(side) == WallMethod::open) continue;
+      if (scene_.periodic(side / 2) || scene_.is_open(side)) continue;
       btVector3 n(0, 0, 0);
       n[side / 2] = side % 2 ? -1 : 1;
       plane(n, bullet(side % 2 ? scene_.domain.max : scene_.domain.min), middle);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The initial particles of a simulation. D numbers per position and velocity.
+/// The initial particles of a simulation. D numbers per position and velocity. Positions of the
+/// fluid and of walls are relative to origin_of() the scene.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -18,7 +19,7 @@ struct WallSample {
   std::vector<Real> volume_factor;
 };
 
-/// The body particles of all bodies at their initial positions.
+/// The body particles of all bodies at their initial positions in the scene.
 struct BodySample {
   std::vector<double> x;
   std::vector<std::int32_t> body;  ///< index in Scene::body

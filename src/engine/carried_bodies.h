@@ -24,7 +24,7 @@ template <int D> class CarriedBodies {
   using Twist = typename RigidBodies<D>::Twist;
 
   CarriedBodies(const EnginePlan& p, Walls<D>& walls)
-      : bodies_(*p.bodies), moment_(moment_of(p)), layered_(p.layered_bodies) {
+      : bodies_(*p.bodies), moment_(moment_of(p)), layered_(p.layered_bodies), origin_(p.origin) {
     const BodySample& sample = p.sample.bodies;
     for (std::size_t k = 0; k < sample.body.size(); ++k) {
       const auto b = std::size_t(sample.body[k]);
@@ -106,7 +106,8 @@ template <int D> class CarriedBodies {
                               (twist(end.velocity, end.angular_velocity) -
                                twist(start.velocity, start.angular_velocity));
       turn_.emplace_back(now.orientation);
-      center_.push_back({now.position[0], now.position[1], now.position[2]});
+      center_.push_back({now.position[0] - origin_[0], now.position[1] - origin_[1],
+                         now.position[2] - origin_[2]});
     }
     place();
     if (layered_) put(walls.of_layered_bodies, walls.adami2012);
@@ -188,8 +189,10 @@ template <int D> class CarriedBodies {
   Bodies& bodies_;
   ForceMoment moment_;
   bool layered_;
+  Triple origin_;  // of the plan
   RigidBodies<D> rigid_;
-  // local_: from the centre of mass at the start; places_: positions now; center_: of mass, now
+  // local_: from the centre of mass at the start; places_: positions now; center_: of mass, now;
+  // the last two are relative to the origin
   std::vector<Vec<3, double>> local_, places_, center_;
   std::vector<Rotation> turn_;
   std::vector<int> periodic_;

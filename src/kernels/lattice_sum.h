@@ -39,13 +39,22 @@ template <int D, class Kernel> double mean_distance(const Kernel& W, double supp
   return sum;
 }
 
-/// sum_j |grad W(x_j)|^2 over a lattice [1/m^(2D + 2)].
+/// sum_j |grad W(x_j)|^2 over a lattice [1/m^(2D + 2)]. In 3D a float's squares overflow at
+/// spacings of micrometres and underflow at 100 km, so gradients are divided by a power of two
+/// before.
 template <int D, class Kernel>
 double lattice_response(const Kernel& W, double spacing, double support_radius) {
+  Vec<D> aside{};
+  aside.x = Real(spacing);
+  const Real typical = W.gradient(Pair<D, Real>(aside)).x;
+  const int exponent = typical < 0 ? std::ilogb(typical) : 0;
   double sum = 0;
-  on_lattice<D>(spacing, support_radius,
-                [&](Vec<D> x) { sum += double(norm2(W.gradient(Pair<D, Real>(x)))); });
-  return sum;
+  on_lattice<D>(spacing, support_radius, [&](Vec<D> x) {
+    Vec<D> g = W.gradient(Pair<D, Real>(x));
+    for (int d = 0; d < D; ++d) component(g, d) = std::ldexp(component(g, d), -exponent);
+    sum += double(norm2(g));
+  });
+  return std::ldexp(sum, 2 * exponent);
 }
 
 /// The largest eigenvalue of the pressure equations on an infinite lattice over their diagonal:

@@ -138,7 +138,7 @@ Topic forces_along(const std::string& axis, const Table& table) {
   return topic;
 }
 
-/// What goes through inlets, outlets and counters.
+/// The rates through inlets, outlets, counters and open sides.
 Topic flows_in(const Table& table) {
   const std::string front = "flow through ";
   Topic topic{"flow", {}};

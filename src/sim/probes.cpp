@@ -58,7 +58,7 @@ template <int D> class FluidReaderIn final : public FluidReader {
     std::vector<std::vector<Share>> shares(count_);
     for (std::size_t i = 0; i < f.size(); ++i) {
       Vec<D, double> x{};
-      for (std::size_t d = 0; d < D; ++d) component(x, int(d)) = double(f.x[D * i + d]);
+      for (std::size_t d = 0; d < D; ++d) component(x, int(d)) = f.position(i, d);
       const auto near = near_.find(cell_of(x));
       if (near == near_.end()) continue;
       for (const Place& place : near->second) {

@@ -36,7 +36,7 @@ const std::map<std::string, std::set<std::string>> arrows{
     {"scene",
      {"api", "core", "kernels", "boundary", "formats", "mesh", "toml++", "fmt", "muParser.h"}},
     {"bodies",
-     {"api", "core", "mesh", "scene", "btBulletDynamicsCommon.h", "BulletCollision",
+     {"api", "boundary", "core", "mesh", "scene", "btBulletDynamicsCommon.h", "BulletCollision",
       "BulletDynamics"}},
     {"render", {"api", "boundary", "cairo", "core", "fmt", "mesh", "scene", "spng.h"}},
     {"io", {"api", "core", "render", "formats", "fmt", "nlohmann", "hdf5.h", "commit.h"}},

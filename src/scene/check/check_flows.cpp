@@ -281,11 +281,12 @@ void check_neighbors(const Scene& s, std::size_t k, const std::vector<std::size_
 /// Names are headers of table columns: plain and unique.
 void check_flow_names(const Scene& s, Findings& out) {
   const auto names = s.flow_names();
-  std::set<std::string> taken;
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const bool in = k < s.inlet.size(), to = !in && k < s.inlet.size() + s.outlet.size();
-    const char* kind = in ? "inlet" : to ? "outlet" : "counter";
-    const std::size_t first = in ? 0 : to ? s.inlet.size() : s.inlet.size() + s.outlet.size();
+  const std::size_t outlets = s.inlet.size(), counters = outlets + s.outlet.size(),
+                    sides = counters + s.counter.size();
+  std::set<std::string> taken(names.begin() + std::ptrdiff_t(sides), names.end());
+  for (std::size_t k = 0; k < sides; ++k) {
+    const char* kind = s.flow_kind(k);
+    const std::size_t first = k < outlets ? 0 : k < counters ? outlets : counters;
     const std::string key = fmt::format("{}[{}].name", kind, k - first);
     if (!names_column(names[k]))
       out.error(key,
@@ -293,8 +294,8 @@ void check_flow_names(const Scene& s, Findings& out) {
                             "do not allow; use letters, digits and _",
                             kind));
     else if (!taken.insert(names[k]).second)
-      out.error(key, fmt::format("{}.name is \"{}\", which another inlet, outlet or counter has; "
-                                 "choose another name",
+      out.error(key, fmt::format("{}.name is \"{}\", which another inlet, outlet, counter or "
+                                 "open side has; choose another name",
                                  kind, names[k]));
   }
 }

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "freshet/real.h"
 #include "scene/check/check.h"
 #include "scene/sample/point_cloud.h"
 
@@ -38,6 +39,9 @@ class Findings {
 };
 
 inline constexpr const char* axis_names = "xyz";
+/// A remedy for numbers of too few bits.
+inline constexpr const char* or_in_double =
+    sizeof(Real) == sizeof(float) ? ", or build with FRESHET_DOUBLE" : "";
 
 /// A fluid, a wall, an outlet or a body, and its name in messages.
 struct RegionAt {

@@ -286,7 +286,7 @@ the choices.
   v.section("air", "The air around the liquid.", [&] { air_keys(v, s.air); });
   v.section("walls", R"(The sides of the domain, and the methods of walls.
 
-- `open`: the fluid leaves.
+- `open`: the fluid leaves, and is removed and counted (docs/flows.md).
 - `reflection`: particles are reflected.
 - `ghost`: mirror images of the fluid.
 - `monaghan2009`: boundary particles that repel, after Monaghan & Kajtar 2009.

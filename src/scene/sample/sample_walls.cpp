@@ -21,9 +21,11 @@ WallSample& sample_of(Sample& all, WallMethod method) {
                                            : all.monaghan2009;
 }
 
+/// Appends a boundary particle at x in a scene of this origin.
 template <int D>
-void append(WallSample& to, Vec<D, double> x, std::int32_t wall, Real volume_factor = 1) {
-  for (int k = 0; k < D; ++k) to.x.push_back(Real(component(x, k)));
+void append(WallSample& to, Vec<D, double> x, const Triple& origin, std::int32_t wall,
+            Real volume_factor = 1) {
+  for (int k = 0; k < D; ++k) to.x.push_back(Real(component(x, k) - origin[std::size_t(k)]));
   to.wall.push_back(wall);
   to.volume_factor.push_back(volume_factor);
 }
@@ -70,6 +72,7 @@ template <int D> void sample_sides(const Scene& s, Sample& all) {
   const SideLattice lattice(s);
   if (lattice.beyond == Counts(D, 0)) return;
   const double akinci_setback = single_layer_distance(s) - s.particles.spacing;
+  const Triple origin = origin_of(s);
   around_lattice<D>(lattice.n, lattice.beyond, [&](const Counts& c) {
     const int side = side_of(s, c, lattice.n);
     if (side < 0) return;
@@ -83,7 +86,7 @@ template <int D> void sample_sides(const Scene& s, Sample& all) {
       if (!s.periodic(k) && c[j] < 0) component(x, k) -= deeper;
       if (!s.periodic(k) && c[j] >= lattice.n[j]) component(x, k) += deeper;
     }
-    append(sample_of(all, s.side_method(side)), x, image ? -1 - side : side);
+    append(sample_of(all, s.side_method(side)), x, origin, image ? -1 - side : side);
   });
 }
 
@@ -174,6 +177,7 @@ template <int D> void sample_wall(const Scene& s, std::size_t wall, Sample& all)
   WallSample& to = sample_of(all, s.wall_method(wall));
   const auto points = surface_points<D>(s, wall);
   const auto factors = volume_factors<D>(s, wall, points);
+  const Triple origin = origin_of(s);
   for (std::size_t i = 0; i < points.size(); ++i)
     for (const Vec<D, double>& shift : shifts) {
       Vec<D, double> x = points[i] + shift, low = domain.low, high = domain.high;
@@ -183,7 +187,7 @@ template <int D> void sample_wall(const Scene& s, std::size_t wall, Sample& all)
         image |= s.periodic(k) &&
                  (component(x, k) < component(low, k) || component(x, k) >= component(high, k));
       const auto number = std::int32_t(2 * D + int(wall));
-      append(to, x, image ? -1 - number : number, factors[i]);
+      append(to, x, origin, image ? -1 - number : number, factors[i]);
     }
 }
 
