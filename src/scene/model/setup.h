@@ -38,8 +38,8 @@ double single_layer_distance(const Scene& scene);
 /// The method of body particles: adami2012 if walls.method is adami2012, else akinci2012.
 WallMethod body_method(const Scene& scene);
 
-/// The particles at the start.
-Sample sample(const Scene& scene);
+/// The particles at the start. Writes the number of particles of each fluid to `of_fluids`.
+Sample sample(const Scene& scene, Counts* of_fluids = nullptr);
 
 /// An upper bound on the number of boundary particles of the walls, without sampling them.
 double most_wall_samples(const Scene& scene);
