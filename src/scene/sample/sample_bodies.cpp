@@ -2,6 +2,7 @@
 #include "scene/sample/sample_bodies.h"
 
 #include "scene/model/loaded_mesh.h"
+#include "scene/sample/ball_layer.h"
 #include "scene/sample/mesh_surface.h"
 #include "scene/sample/sample_walls.h"
 #include "scene/sample/surface.h"
@@ -17,6 +18,8 @@ template <int D> std::vector<Vec<D, double>> layer_of(const Scene& s, const Scen
     if (body.shape == Shape::mesh)
       return points_behind(body.loaded->distance, spacing, spacing / 2 + deeper);
   const auto solid = solid_of<D>(body);
+  if constexpr (D == 3)
+    if (has_ball_layer(s, body)) return ball_layer(s, solid);
   auto points = Surface<D>(solid, spacing, 1).points({}, {}, {});
   for (auto& x : points) x += -deeper * solid.normal(x);
   return points;
@@ -49,7 +52,8 @@ template void sample_bodies<3>(const Scene&, Sample&);
 double most_body_samples(const Scene& s) {
   double all = 0, images = 1;
   const int layers = wall_layers(s, body_method(s));
-  for (const Scene::Body& body : s.body) all += most_samples(s, body, layers);
+  for (const Scene::Body& body : s.body)
+    all += (has_ball_layer(s, body) ? 4 : 1) * most_samples(s, body, layers);
   for (int k = 0; k < s.dimension(); ++k) images *= s.periodic(k) ? 2 : 1;
   return all * (1 + images);
 }
