@@ -22,6 +22,7 @@ class Warnings {
   std::vector<Diagnostic> list() {
     lattice();
     room();
+    for (std::size_t k = 0; k < s_.fluid.size(); ++k) volume(k);
     periodic();
     step();
     rounding();
@@ -73,6 +74,18 @@ class Warnings {
            fmt::format("at rest density the fluid takes {:.4g} {}, and the domain has "
                        "{:.4g} {}; it will be compressed",
                        needed, unit, volume, unit));
+  }
+  /// Reports a fluid whose particles have another volume than its shape.
+  void volume(std::size_t k) {
+    const DerivedFluid& f = d_.fluids[k];
+    if (std::abs(f.error()) <= 0.01) return;
+    const char* unit = s_.dimension() == 3 ? "m³" : "m²";
+    warn("particles.spacing",
+         fmt::format("the particles of fluid[{}] fill {:.4g} {}, {:.1f} % {} than the {:.4g} {} of "
+                     "its shape without walls and bodies: the shape is not a whole number of "
+                     "spacings wide; change the shape, or make the spacing smaller",
+                     k, f.filled, unit, 100 * std::abs(f.error()), f.error() < 0 ? "less" : "more",
+                     *f.asked, unit));
   }
   void periodic() {
     for (int k = 0; k < s_.dimension(); ++k) {

@@ -14,6 +14,11 @@ template <int D> class RegionSurface {
     else mesh_ = region.loaded;
     fluid_inside_ = region.side == Side::inside;
   }
+  explicit RegionSurface(const Solid<D, double>& solid)
+      : solid_(solid), sheet_(0), fluid_inside_(solid.fluid_inside) {}
+
+  /// Whether this is a mesh with holes.
+  bool is_sheet() const { return mesh_ && !mesh_->condition.closed(); }
 
   /// The distance of x from the surface [m]: positive on the fluid's side, negative on the other.
   double distance(Vec<D, double> x) const {
@@ -24,6 +29,18 @@ template <int D> class RegionSurface {
         return fluid_inside_ ? -outside : outside;
       }
     return solid_.distance(x);
+  }
+  /// The unit normal at the point of the surface nearest to x; it points towards the fluid. 0 if x
+  /// is on a mesh.
+  Vec<D, double> normal(Vec<D, double> x) const {
+    if constexpr (D == 3)
+      if (mesh_) {
+        const auto away = x - mesh_->distance.nearest(x).point;
+        const double length = norm(away);
+        if (length == 0) return {};
+        return (distance(x) < 0 ? -1 / length : 1 / length) * away;
+      }
+    return solid_.normal(x);
   }
 
  private:
