@@ -221,7 +221,7 @@ are excluded. Where a wall or body cuts the places of a shape, as many excluded 
 added again as fill its volume up to the wall, and the places near the wall are spread evenly.
 The places of a `lattice` stay as they are. The points of a file are excluded only inside
 walls. `info` prints the volume of the particles and that of the shape without walls and
-bodies. `check` warns if they differ by more than 1 %.
+bodies. `check` warns if they differ by more than 1 %, or 2 % for a round shape or a mesh.
 
 The positions of a file, and its velocities if it has them, become particles. The first
 line of a `*.csv` names the columns x, y, z, vx, vy, vz. Files of other programs have
