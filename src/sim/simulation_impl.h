@@ -20,9 +20,12 @@ struct Simulation::Impl {
   Impl(Scene s, const Execution& execution)
       : scene(with_defaults(std::move(s))),
         derived(derive(scene)),
+        threads(scene.solver.backend == BackendName::cpu
+                    ? thread_count(execution.threads, derived.most_particles)
+                    : 1),
         bodies(scene.body.empty() ? nullptr : std::make_unique<Bodies>(scene)),
         engine(make_engine_of(execution)) {
-    health.emplace(scene, derived, engine->fluid());
+    health.emplace(scene, derived, engine->fluid(), bodies.get());
   }
   std::unique_ptr<Engine> make_engine_of(const Execution& execution) const;
   std::vector<StateArray> state() const;
@@ -34,6 +37,7 @@ struct Simulation::Impl {
 
   Scene scene;
   Derived derived;
+  int threads;
   std::unique_ptr<Bodies> bodies;  // null without bodies
   std::unique_ptr<Engine> engine;
   std::int64_t steps = 0;

@@ -54,6 +54,7 @@ std::vector<Diagnostic> contradictions(const Scene& given,
   if ((walls || scene.wall.empty()) && (placed || scene.body.empty()) &&
       (flows || scene.inlet.empty()))
     check_room(scene, fluids, findings);
+  if (findings.list.empty() && unread.empty()) check_stability(scene, fluids.places, findings);
   return std::move(findings.list);
 }
 
