@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -15,8 +16,11 @@
 namespace freshet::cli {
 namespace {
 
+/// Measured over a fifth of a second of steps.
 struct Cost {
-  double seconds_per_step;  ///< measured over a fifth of a second of steps
+  double seconds_per_step;
+  double particles;  ///< at the end of these steps
+  double steps, time;
   double checkpoint_bytes;
 };
 
@@ -29,7 +33,32 @@ Cost measure(const Scene& scene, const Execution& execution) {
     sim.step();
     seconds = std::chrono::duration<double>(Clock::now() - start).count();
   }
-  return {seconds / double(sim.steps_done()), double(checkpoint_bytes(sim))};
+  return {seconds / double(sim.steps_done()), double(sim.fluid().size()), double(sim.steps_done()),
+          sim.time(), double(checkpoint_bytes(sim))};
+}
+
+/// The adaptive step of a fluid that moves half as fast as the scene lets it [s].
+double likely_step(const Scene& s, const Derived& d) {
+  const double c = d.sound_speed, speed = c / 20, h = d.support_radius / 2;
+  const double moving = s.method().incompressible() ? (speed > 0 ? 0.4 * h / speed : d.flow_step)
+                                                    : d.acoustic_step * c / (c + speed);
+  return std::min({*s.time.step_max, d.step_bound(), moving});
+}
+
+/// How many steps a run takes; `measured` of them are known.
+double likely_steps(const Scene& s, const Derived& d, const Cost& measured) {
+  if (!s.time.adaptive) return double(s.steps());
+  const double left = s.time.end - measured.time;
+  const double mean = measured.time / measured.steps;
+  const bool enough = measured.time > 0.05 * s.time.end;  // to tell the rest of the run
+  return measured.steps + std::max(0.0, left) / (enough ? mean : likely_step(s, d));
+}
+
+/// The wall time of a run [s]. The cost of a step grows with the particles that inlets add.
+double likely_seconds(const Derived& d, const Cost& cost, double steps) {
+  constexpr double alone = 500;  // particles whose cost a step without any has
+  const double mean = (d.particles + d.most_particles) / 2;
+  return steps * cost.seconds_per_step * (mean + alone) / (cost.particles + alone);
 }
 
 void row(const char* name, const std::string& value) {
@@ -127,9 +156,10 @@ std::string disk_row(const Derived& d) {
 }
 
 void info(const SceneArguments& a) {
-  const int threads = thread_count(a.threads);
+  thread_count(a.threads);  // an error before anything is sampled
   const Scene s = a.load();
   const Derived d = derive(s);
+  const int threads = thread_count(a.threads, d.most_particles);
   const char* density = s.dimension() == 3 ? "kg/m³" : "kg/m²";
   print_out("{}\n", printable(s.title.empty() ? a.name : s.title));
   row("dimension", fmt::format("{}D", s.dimension()));
@@ -154,15 +184,17 @@ void info(const SceneArguments& a) {
   if (s.method().incompressible()) row("tolerances", tolerance_row(s, d));
   else row("speed of sound", sound_row(s, d));
   row("time step", time_step_row(s, d));
-  row("steps",
-      fmt::format("{}{} for {:g} s", s.time.adaptive ? "at least " : "", s.steps(), s.time.end));
-  if (s.solver.backend == BackendName::cpu)
-    row("computed by", fmt::format("{} threads, {}", threads, instruction_set(a.isa)));
-  else row("computed by", "one thread, scalar (reference)");
   const Cost cost = measure(s, a.execution());
-  row("run time",
-      fmt::format("about {:.2g} s on this machine ({:.3g} ms a step, measured)",
-                  cost.seconds_per_step * double(s.steps()), 1e3 * cost.seconds_per_step));
+  const double steps = likely_steps(s, d, cost);
+  row("steps", s.time.adaptive ? fmt::format("about {} for {:g} s", short_number(steps), s.time.end)
+                               : fmt::format("{} for {:g} s", s.steps(), s.time.end));
+  if (s.solver.backend == BackendName::cpu)
+    row("computed by",
+        fmt::format("{} thread{}, {}", threads, threads == 1 ? "" : "s", instruction_set(a.isa)));
+  else row("computed by", "one thread, scalar (reference)");
+  row("run time", fmt::format("about {} on this machine ({:.3g} ms a step, measured{})",
+                              duration(likely_seconds(d, cost, steps)), 1e3 * cost.seconds_per_step,
+                              d.inlets.empty() ? "" : "; more with what comes in"));
   row("memory", fmt::format("{}B", short_number(peak_memory())));
   row("disk", disk_row(d) + fmt::format("; {}B for two checkpoints",
                                            short_number(2 * cost.checkpoint_bytes)));

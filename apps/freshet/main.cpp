@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "freshet/version.h"
+#include "idle_threads.h"
 #include "memory.h"
 #include "print.h"
 
@@ -66,6 +67,7 @@ int report_errors(int argc, char** argv) {
 }  // namespace freshet::cli
 
 int main(int argc, char** argv) {
+  freshet::cli::let_idle_threads_sleep(argc, argv);
   freshet::cli::fill_standard_descriptors();
   freshet::cli::keep_memory_in_reserve();
   // A full disk or a reader that went away is an error that is told, not a signal that kills.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "print.h"
 
@@ -24,12 +25,6 @@ void show_bytes(const std::string& bytes) {
   flush_output();
 }
 
-std::string duration(double seconds) {
-  if (!std::isfinite(seconds)) return "?";
-  const long s = std::lround(seconds);
-  return s < 60 ? fmt::format("{} s", s) : fmt::format("{}:{:02} min", s / 60, s % 60);
-}
-
 }  // namespace
 
 std::string short_number(double value) {
@@ -40,6 +35,21 @@ std::string short_number(double value) {
     unit = next;
   }
   return fmt::format("{:.3g}{}", value, unit);
+}
+
+std::string duration(double seconds) {
+  if (!std::isfinite(seconds)) return "?";
+  if (seconds < 9.95) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 59.5) return fmt::format("{:.0f} s", seconds);
+  const double minutes = std::floor((seconds + 0.5) / 60);
+  if (minutes < 60)
+    return fmt::format("{:.0f} min {:.0f} s", minutes, std::floor(seconds + 0.5 - 60 * minutes));
+  const double hours = std::floor((seconds + 30) / 3600);
+  if (hours < 48)
+    return fmt::format("{:.0f} h {:.0f} min", hours,
+                       std::floor((seconds + 30 - 3600 * hours) / 60));
+  return fmt::format("{:.0f} d {:.0f} h", std::floor(seconds / 86400),
+                     std::floor(std::fmod(seconds, 86400) / 3600));
 }
 
 std::string solve_words(const SolveStatistics& s) {
@@ -67,6 +77,7 @@ void Progress::start(const Simulation& sim) {
                              {"steps", s.steps()},
                              {"time_step", s.time.adaptive ? *s.time.step_max : s.time.step}}));
   begin_ = Clock::now();
+  anchor_ = next_anchor_ = {0, sim.time(), double(sim.fluid().size())};
   shown_solves_ = sim.solves();
   for (SolveStatistics& solve : shown_solves_) {  // the step that is just done is this run's
     --solve.solves;
@@ -107,11 +118,24 @@ double Progress::iterations_since_shown(const SolveStatistics& solve) const {
   return double(solve.last_iterations);
 }
 
+/// The remaining wall time, by the rate over the last half to three quarters of this run so far.
+/// Where particles come or go, by their trend as well. NaN after the first step.
+double Progress::remaining(const Simulation& sim) {
+  const double wall = std::chrono::duration<double>(Clock::now() - begin_).count();
+  const Moment now{wall, sim.time(), double(sim.fluid().size())};
+  if (now.wall > 2 * next_anchor_.wall) anchor_ = std::exchange(next_anchor_, now);
+  const double gone = now.time - anchor_.time;
+  const double left = sim.finished() ? 0 : sim.scene().time.end - now.time;
+  const double mean = (now.particles + anchor_.particles) / 2;  // while `gone` passed
+  const double trend = (now.particles - anchor_.particles) / gone * left / 2;
+  const double growth = mean > 0 ? std::max(0.0, (now.particles + trend) / mean) : 1;
+  return left == 0 ? 0 : (now.wall - anchor_.wall) / gone * left * growth;
+}
+
 void Progress::show(const Simulation& sim, double seconds) {
   const double done = share_done(sim);
   const double rate = double(sim.steps_done()) / std::max(seconds, 1e-9);
-  const double wall = std::chrono::duration<double>(Clock::now() - begin_).count();
-  const double eta = wall / done * (1 - done);
+  const double eta = remaining(sim);
   const Statistics s = sim.statistics();
   const double particle_rate = rate * double(s.particles);
   if (style_ == Style::json) {

@@ -28,10 +28,18 @@ class Progress {
   bool due(double done);
   void show(const Simulation& sim, double seconds);
   double iterations_since_shown(const SolveStatistics& solve) const;
+  double remaining(const Simulation& sim);
   using Clock = std::chrono::steady_clock;
+
+  /// Of this run, which may have been resumed.
+  struct Moment {
+    double wall = 0, time = 0;  ///< [s]
+    double particles = 0;
+  };
 
   Style style_;
   Clock::time_point begin_ = Clock::now(), shown_at_{};
+  Moment anchor_, next_anchor_;
   double shown_ = 0;  // the share of the run
   std::int64_t shown_step_ = -1;
   std::vector<SolveStatistics> shown_solves_;  // those so far
@@ -39,6 +47,9 @@ class Progress {
 
 /// 1234567 -> "1.23 M"
 std::string short_number(double value);
+
+/// 1000 -> "16 min 40 s"
+std::string duration(double seconds);
 
 /// What the solves of one name came to: iterations, errors, how many did not converge.
 std::string solve_words(const SolveStatistics& solve);

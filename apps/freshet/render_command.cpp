@@ -8,6 +8,7 @@
 #include "freshet/render.h"
 #include "interrupts.h"
 #include "print.h"
+#include "progress.h"
 
 namespace freshet::cli {
 namespace {
@@ -39,8 +40,9 @@ int render_run(const RenderArguments& a) {
   const RenderReport r = render(options);
   if (bar) put("\r");
   if (!a.quiet)
-    print_out("{}{} pictures in {:.3g} s\nwrote {}\n", r.interrupted ? "interrupted after " : "",
-              r.pictures.size(), r.seconds, r.pictures.empty() ? "" : r.pictures.back().string());
+    print_out("{}{} pictures in {}\nwrote {}\n", r.interrupted ? "interrupted after " : "",
+              r.pictures.size(), duration(r.seconds),
+              r.pictures.empty() ? "" : r.pictures.back().string());
   return r.interrupted ? interrupted : done;
 }
 

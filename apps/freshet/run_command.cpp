@@ -3,7 +3,9 @@
 
 #include <new>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "closing_table.h"
 #include "command.h"
 #include "freshet/run.h"
 #include "interrupts.h"
@@ -21,45 +23,6 @@ struct RunArguments {
   double fps = 30, speed = 1;
   bool overwrite = false, quiet = false;
 };
-
-std::string check_words(const Report& r, const std::string& name, double scale = 1,
-                        const char* unit = "") {
-  for (const CheckResult& c : r.checks)
-    if (c.name == name)
-      return fmt::format("{} {:g}{}  {}", c.relation, scale * c.bound, unit,
-                         c.passed ? "ok" : "FAILED");
-  return "";
-}
-
-/// The report as a table, with the scene's checks beside their values.
-std::string table(const Report& r) {
-  const Statistics& s = r.statistics;
-  std::string out;
-  const auto row = [&](const char* name, const std::string& value, const std::string& check = "") {
-    const std::string line = fmt::format("  {:<22}{:<26}{}", name, value, check);
-    out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  };
-  row("out of bounds", fmt::format("{} of {}", s.out_of_bounds, s.particles),
-      check_words(r, "out of bounds"));
-  row("density mean", fmt::format("{:.5f} kg/m²", s.density_mean), check_words(r, "density mean"));
-  row("density min, max", fmt::format("{:.5f}, {:.5f}", s.density_min, s.density_max));
-  row("speed mean", fmt::format("{:.6f} m/s", s.speed_mean), check_words(r, "speed mean"));
-  row("speed max", fmt::format("{:.6f} m/s", s.speed_max));
-  row("height mean", fmt::format("{:.6f} m", s.height_mean), check_words(r, "height mean"));
-  row("bright pixels",
-      fmt::format("{} ({:.1f} %)", r.picture.bright, 100 * r.picture.bright_fraction()),
-      check_words(r, "bright fraction", 100, " %"));
-  row("bottom third", fmt::format("{} pixels", r.picture.bottom_third));
-  for (const Flow& flow : r.flows)
-    row((flow.kind + " " + flow.name).c_str(),
-        fmt::format("{:.6g} {}, {} particles{}", flow.volume, s.momentum.size() == 3 ? "m³" : "m²",
-                    flow.particles,
-                    flow.waiting > 0 ? fmt::format(", {} wait", flow.waiting) : ""));
-  for (const SolveStatistics& solve : r.solves)
-    row((solve.name + " solve").c_str(), solve_words(solve));
-  if (!r.solves.empty()) row("steps halved", std::to_string(r.time_steps.retried));
-  return out;
-}
 
 /// The warnings before the first step: lines, or events.
 void warn(const std::vector<Diagnostic>& warnings, const Progress& progress) {
@@ -129,13 +92,14 @@ std::string end_event(const Report& r, const Place& place) {
   return json_text(json);
 }
 
-int finish(const Report& r, const Place& place, const Progress& progress) {
+int finish(const Report& r, const std::string& table, const Place& place,
+           const Progress& progress) {
   const bool cut = r.state == Report::State::interrupted;
   progress.say(fmt::format(
-      "{}{} steps, {:.4g} s simulated in {:.3g} s: {} particle-steps/s\n{}"
+      "{}{} steps, {:.4g} s simulated in {}: {} particle-steps/s\n{}"
       "wrote {}{}",
-      cut ? "interrupted after " : "", r.steps, r.time, r.seconds,
-      short_number(r.particle_steps_per_second()), table(r), (place.output / "result.png").string(),
+      cut ? "interrupted after " : "", r.steps, r.time, duration(r.seconds),
+      short_number(r.particle_steps_per_second()), table, (place.output / "result.png").string(),
       cut ? "\nto resume: " + place.resume : ""));
   progress.event(end_event(r, place));
   for (const CheckResult& c : r.checks)
@@ -152,12 +116,15 @@ int finish(const Report& r, const Place& place, const Progress& progress) {
 /// What run and resume have in common.
 struct Outcome {
   Progress progress;
-  bool started = false;
-  std::size_t told = 0;  // warnings
+  std::optional<Scene> scene = {};  // from the first step on
+  std::size_t told = 0;             // warnings
 
   AfterStep after_step() {
     return [this](const Simulation& sim, double seconds) {
-      if (!std::exchange(started, true)) progress.start(sim);
+      if (!scene) {
+        scene = sim.scene();
+        progress.start(sim);
+      }
       progress.update(sim, seconds);
       while (told < sim.warnings().size()) tell(sim.warnings()[told++], progress);
       if (memory_ran_short()) throw std::bad_alloc();
@@ -169,7 +136,8 @@ struct Outcome {
     try {
       const Report report = run();
       progress.end();
-      return finish(report, place, progress);
+      return finish(report, scene ? closing_table(*scene, report, place.output) : "", place,
+                    progress);
     } catch (const Error&) {
       progress.end();
       throw;

@@ -29,9 +29,9 @@ void add_check(Program& program) {
     const Scene scene = a->load();
     const auto warnings = scene_warnings(scene);
     print_diagnostics(warnings);
-    print_out("{}: a good scene{}\n", a->name,
-              warnings.empty() ? ""
-                               : fmt::format(", with {} warning{}", warnings.size(),
+    print_out("{}: {}\n", a->name,
+              warnings.empty() ? "a good scene"
+                               : fmt::format("valid, with {} warning{}", warnings.size(),
                                              warnings.size() == 1 ? "" : "s"));
     return done;
   });

@@ -16,14 +16,17 @@ namespace freshet {
 
 /// Threads and instruction set of the cpu backend. They do not change the bits of results.
 struct Execution {
-  int threads = 0;  ///< 0: as many as the machine has; at most thread_limit()
+  int threads = 0;  ///< 0: by the number of particles, see thread_count(); at most thread_limit()
   std::string isa;  ///< "avx512", "avx2", "sse42" or "plain"; empty: the best that the machine has
 };
 /// The instruction set and the number of threads that Execution selects on this machine.
 /// instruction_set throws Error (kind scene) for a set that the machine lacks, and thread_count for
-/// more threads than thread_limit(): four times as many as the machine has, and 64 at least.
+/// more threads than thread_limit(): four times as many as the machine has, and 64 at least. For
+/// `threads` = 0 it is as many as the machine has, and with `particles` at most one for every 2048
+/// of them: more would wait for each other.
 std::string instruction_set(const std::string& isa);
 int thread_count(int threads);
+int thread_count(int threads, double particles);
 int thread_limit();
 
 struct Checkpoint;  // freshet/checkpoint.h
@@ -84,6 +87,7 @@ class Simulation {
   void observe(ObserverSchedule schedule, std::function<void(const Simulation&)> observer);
 
   const Scene& scene() const;
+  int threads() const;  ///< of the cpu backend; 1 on the reference backend
   std::int64_t steps_done() const;
   double time() const;  ///< the sum of the steps; steps_done · time.step where it is fixed [s]
   /// Whether time.end is reached.

@@ -102,6 +102,12 @@ int thread_count(int threads) {
   return threads > 0 ? threads : hardware_threads();
 }
 
+int thread_count(int threads, double particles) {
+  if (threads > 0) return thread_count(threads);
+  constexpr double least = 2048;  // particles of a thread: docs/performance.md
+  return std::max(1, int(std::min(double(hardware_threads()), particles / least)));
+}
+
 bool has_solver(SolverName name) {
   return std::find(std::begin(compiled), std::end(compiled), name) != std::end(compiled);
 }

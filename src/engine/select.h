@@ -26,6 +26,8 @@ std::string instruction_set(const std::string& isa);
 /// The number of threads that `threads` selects; 0: as many as the machine has. Throws Error (kind
 /// scene) if it is above thread_limit().
 int thread_count(int threads);
+/// With `threads` = 0: at most one for every 2048 particles.
+int thread_count(int threads, double particles);
 /// Four times as many as the machine has, and 64 at least.
 int thread_limit();
 

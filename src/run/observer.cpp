@@ -25,12 +25,11 @@ std::string checkpoint_name(std::int64_t step) {
   return fmt::format("{}/step_{:09}.h5", checkpoint_folder, step);
 }
 
-Provenance provenance(const Scene& scene, const Execution& execution,
+Provenance provenance(const Simulation& sim, const Execution& execution,
                       const std::vector<std::string>& command) {
-  const bool cpu = scene.solver.backend == BackendName::cpu;
-  return {command, backend_words[int(scene.solver.backend)],
-          cpu ? instruction_set(execution.isa) : "plain",
-          cpu ? thread_count(execution.threads) : 1};
+  const BackendName backend = sim.scene().solver.backend;
+  return {command, backend_words[int(backend)],
+          backend == BackendName::cpu ? instruction_set(execution.isa) : "plain", sim.threads()};
 }
 
 RunRecord record_of(const RunOptions& options) {
@@ -81,7 +80,7 @@ template <class Begin> void Observer::begin_or_fail(const Begin& begin) {
 
 void Observer::begin(const RunOptions& options) {
   folder_.take(options.overwrite ? RunFolder::Take::overwrite : RunFolder::Take::empty, plan(),
-               provenance(sim_.scene(), options.execution, options.command));
+               provenance(sim_, options.execution, options.command));
   for (const auto& [name, bytes] : inputs_.files) folder_.write(name, bytes);
   folder_.write("scene.toml", inputs_.source);
   for (const auto& output : outputs_) output->start();
@@ -89,7 +88,7 @@ void Observer::begin(const RunOptions& options) {
 
 void Observer::begin(const ResumeOptions& options) {
   folder_.take(RunFolder::Take::resume, plan(),
-               provenance(sim_.scene(), options.execution, options.command));
+               provenance(sim_, options.execution, options.command));
   saved_ = sim_.steps_done();
   for (const auto& file : checkpoints_of(options.folder))
     checkpoints_.push_front(fmt::format("{}/{}", checkpoint_folder, file.filename().string()));

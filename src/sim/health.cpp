@@ -8,7 +8,9 @@
 #include <limits>
 #include <utility>
 
+#include "scene/model/body_motion.h"
 #include "scene/model/openings.h"
+#include "scene/model/still_water.h"
 
 namespace freshet {
 namespace {
@@ -37,6 +39,16 @@ double least_potential(const Scene& s) {
   return least;
 }
 
+/// The fastest point of all moved bodies and sliding walls [m/s].
+double fastest_solid(const Scene& s) {
+  double fastest = 0;
+  for (const Scene::Wall& wall : s.wall) fastest = std::max(fastest, norm_of(wall.velocity));
+  for (const Scene::Body& body : s.body)
+    if (body.motion == BodyMotion::moved)
+      fastest = std::max(fastest, fastest_point(body, s.dimension(), s.time.end));
+  return fastest;
+}
+
 /// Gravity that does work without end: along an axis that repeats.
 bool falls_for_ever(const Scene& s) {
   for (int k = 0; k < s.dimension(); ++k)
@@ -54,8 +66,14 @@ struct Health::Rule {
   bool ends;     // beyond the fatal bound the run ends
 };
 
-Health::Health(const Scene& scene, const Derived& derived, const ParticleView& start)
-    : scene_(scene), derived_(derived), look_at_(look_at(scene, derived)) {
+Health::Health(const Scene& scene, const Derived& derived, const ParticleView& start,
+               const Bodies* bodies)
+    : scene_(scene),
+      derived_(derived),
+      bodies_(bodies),
+      look_at_(look_at(scene, derived)),
+      drive_speed_(fastest_solid(scene)),
+      still_depth_(still_depth(scene)) {
   const Look look = look_at_(start);
   start_energy_ = look.kinetic + look.potential;
   start_available_ = std::max(0.0, start_energy_ - least_potential(scene));
@@ -93,22 +111,18 @@ void Health::expect_flows(const ParticleView& start) {
 void Health::look(const Moment& now, const ParticleView& fluid,
                   const std::vector<SolveStatistics>& solves,
                   const std::function<TimeStepBounds()>& bounds) {
-  moment_ = now;
-  now_ = look_at_(fluid);
-  if (now_.lost) fail_for_lost();
-  if (scene_.solver.scheme == Scheme::article) return;  // its densities are none: docs/article.md
+  see(now, fluid);
   const bool first = record_.first_step == 0;
-  if (first) {
+  if (first && scene_.solver.scheme != Scheme::article) {
     record_.first_step = now.step;
     record_.first_compression = now_.compression;
     record_.first_densest = {now_.densest.id, now_.densest.x, now_.densest.value};
+    if (!scene_.time.adaptive) record_.first_bound = bounds().least();
   }
+  if (now_.lost) fail_for_lost();
+  if (scene_.solver.scheme == Scheme::article) return;  // its densities are none: docs/article.md
   record_.steps_watched += steps_since_last();
-  if (!scene_.time.adaptive) {
-    const TimeStepBounds b = bounds();
-    if (first) record_.first_bound = b.least();
-    judge_step(b);
-  }
+  if (!scene_.time.adaptive) judge_step(bounds());
   judge_walls(fluid.size());
   judge_density();
   // A body force, a surface, the wind and walls that slide make any speed and energy.
@@ -126,6 +140,7 @@ void Health::look(const Moment& now, const ParticleView& fluid,
     judge_speed();
     if (!has(BodyMotion::free)) judge_energy();
   }
+  if (!intervened_) judge_stillness();
   judge_solves(solves, bounds);
   for (std::size_t k = 0; k < record_.tracks.size(); ++k) {
     const WatchRecord::Track& t = record_.tracks[k];
@@ -136,9 +151,14 @@ void Health::look(const Moment& now, const ParticleView& fluid,
   record_.last_fastest = {now_.fastest.id, now_.fastest.x, now_.fastest.value};
 }
 
-void Health::look_for_lost(const Moment& now, const ParticleView& fluid) {
+void Health::see(const Moment& now, const ParticleView& fluid) {
   moment_ = now;
+  fluid_ = fluid;
   now_ = look_at_(fluid);
+}
+
+void Health::look_for_lost(const Moment& now, const ParticleView& fluid) {
+  see(now, fluid);
   if (now_.lost) fail_for_lost();
 }
 
@@ -202,7 +222,7 @@ void Health::judge_density() {
         "dense, {}; {}",
         100 * now_.density_error, now_.densest.id, place(now_.densest),
         now_.densest.value / derived_.rest_density, when(),
-        cause(too_soft(std::max(reference_speed(), now_.fastest.value))));
+        cause(too_soft(scene_, derived_, std::max(reference_speed(), now_.fastest.value))));
   });
 }
 
@@ -216,7 +236,7 @@ void Health::judge_speed() {
         "the particles move at {:.3g} m/s (root mean square about their mean velocity), {:.3g} "
         "times the speed of {}, {}; {}; {}",
         now_.agitation, times_reference(now_.agitation), reference(), when(), fastest(now_.fastest),
-        cause(too_soft(now_.fastest.value)));
+        cause(too_soft(scene_, derived_, now_.fastest.value)));
   });
   judge(one, now_.fastest.value / sound, [&] {
     return fmt::format("a particle is {:.3g} times as fast as {}, {}; {}; {}",
@@ -241,6 +261,20 @@ void Health::judge_energy() {
                        "takes it up; make fluid.viscosity larger, or choose wcsph or delta_sph as "
                        "solver.name"
                      : came_too_close()));
+  });
+}
+
+/// Water that nothing can move has settled after the time of a few falls through its depth.
+void Health::judge_stillness() {
+  static constexpr Rule rule{"still water", 0.12, never, false, false};
+  if (still_depth_ == 0 || scene_.method().pressure == PressureFamily::linear) return;
+  const double g = std::abs(scene_.domain.gravity[1]);
+  if (moment_.time < 5 * std::sqrt(2 * still_depth_ / g)) return;
+  judge(rule, now_.agitation / std::sqrt(g * scene_.particles.spacing), [&] {
+    return fmt::format(
+        "water that should be still moves at {:.3g} m/s (root mean square), {}; {}; "
+        "{}",
+        now_.agitation, when(), fastest(now_.fastest), remedy_for_churning(scene_));
   });
 }
 
@@ -280,7 +314,9 @@ void Health::fail_for_lost() const {
                           before, cause(came_too_close())));
 }
 
-void Health::fail_for_step(const Moment& now, const TimeStepBounds& bounds) const {
+void Health::fail_for_step(const Moment& now, const ParticleView& fluid,
+                           const TimeStepBounds& bounds) {
+  see(now, fluid);
   const bool weakly = scene_.method().weakly_compressible();
   const bool from_the_start = !(derived_.step_bound() > least_step());
   const std::string bound = bounds.ruling();
@@ -303,7 +339,10 @@ void Health::fail_for_step(const Moment& now, const TimeStepBounds& bounds) cons
                           now.dt, bound, now.step, now.time, why));
 }
 
-/// The fastest that the scene itself makes its fluid: it starts so, or falls through the domain.
-double Health::reference_speed() const { return std::max(start_speed_, fall_speed(scene_)); }
+/// The fastest that the scene itself makes its fluid: it starts so, falls through the domain, or
+/// is pushed by a solid.
+double Health::reference_speed() const {
+  return std::max({start_speed_, drive_speed_, fall_speed(scene_)});
+}
 
 }  // namespace freshet

@@ -9,9 +9,12 @@
 #include "freshet/derived.h"
 #include "freshet/report.h"
 #include "freshet/simulation.h"
+#include "sim/causes.h"
 #include "sim/look.h"
 
 namespace freshet {
+
+class Bodies;
 
 /// When a look is taken.
 struct Moment {
@@ -28,8 +31,10 @@ struct Moment {
 /// ends it always.
 class Health {
  public:
-  /// Keeps both references. `start` is the fluid before the first step.
-  Health(const Scene& scene, const Derived& derived, const ParticleView& start);
+  /// Keeps the references and `bodies`, which is null without bodies. `start` is the fluid before
+  /// the first step.
+  Health(const Scene& scene, const Derived& derived, const ParticleView& start,
+         const Bodies* bodies = nullptr);
 
   /// Whether to look after this step: soon at first, where most goes wrong, then so seldom that it
   /// costs nothing.
@@ -44,7 +49,8 @@ class Health {
   /// A shorter adaptive step is none: a run of such steps would not end [s].
   double least_step() const { return 1e-9 * scene_.time.end; }
   /// The adaptive step, now.dt, fell to that.
-  [[noreturn]] void fail_for_step(const Moment& now, const TimeStepBounds& bounds) const;
+  [[noreturn]] void fail_for_step(const Moment& now, const ParticleView& fluid,
+                                  const TimeStepBounds& bounds);
 
   /// Throws as look does if a particle is lost; remembers nothing.
   void look_for_lost(const Moment& now, const ParticleView& fluid);
@@ -67,11 +73,13 @@ class Health {
   /// `steps`: in how many of those since the last look it was so.
   template <class Message>
   void judge(const Rule& rule, double value, std::int64_t steps, Message message);
+  void see(const Moment& now, const ParticleView& fluid);
   void judge_step(const TimeStepBounds& bounds);
   void judge_walls(std::size_t particles);
   void judge_density();
   void judge_speed();
   void judge_energy();
+  void judge_stillness();
   void judge_solves(const std::vector<SolveStatistics>& solves,
                     const std::function<TimeStepBounds()>& bounds);
   void expect_flows(const ParticleView& start);
@@ -86,17 +94,20 @@ class Health {
   std::string last_fastest() const;
   const char* reference() const;
   double times_reference(double speed) const;
-  std::string too_soft(double speed) const;
   std::string not_solved(const SolveStatistics& solve, const TimeStepBounds& bounds) const;
-  const char* step_key() const { return scene_.time.adaptive ? "time.step_max" : "time.step"; }
   std::string came_too_close() const;
-  std::string cause(const std::string& otherwise) const;
+  /// What the first cause that applies says; else `words`.
+  std::string cause(std::string words) const;
 
   const Scene& scene_;
   const Derived& derived_;
+  const Bodies* bodies_;
   std::function<Look(const ParticleView&)> look_at_;
   double start_speed_ = 0;                         // the fastest at the start [m/s]
   double start_energy_ = 0, start_available_ = 0;  // of a mean particle [J/kg]
+  double drive_speed_ = 0;                         // of moved bodies and sliding walls [m/s]
+  double still_depth_ = 0;                         // of still water; 0: the fluid may move [m]
+  ParticleView fluid_;                             // at the health check
   Look now_;
   Moment moment_;
   bool intervened_ = false;

@@ -24,7 +24,7 @@ std::unique_ptr<Engine> Simulation::Impl::make_engine_of(const Execution& execut
     throw Error(Error::Kind::scene, "solver.name",
                 fmt::format("this build has no {}; compile with it in FRESHET_SOLVERS",
                             scene.method().name));
-  return make_engine(plan_of(scene, derived, bodies.get(), thread_count(execution.threads)),
+  return make_engine(plan_of(scene, derived, bodies.get(), threads),
                      {scene.solver.backend, execution.isa});
 }
 
@@ -35,6 +35,7 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 const Scene& Simulation::scene() const { return impl_->scene; }
+int Simulation::threads() const { return impl_->threads; }
 std::int64_t Simulation::steps_done() const { return impl_->steps; }
 double Simulation::time() const { return impl_->time; }
 const TimeSteps& Simulation::time_steps() const { return impl_->time_steps; }
@@ -210,7 +211,7 @@ double Simulation::Impl::next_step() {
   ++time_steps.ruled[time_steps.last_ruled];
   const double dt = bounded ? b.least() : most;
   if (dt > health->least_step()) return dt;
-  health->fail_for_step({steps, time, dt}, b);
+  health->fail_for_step({steps, time, dt}, fluid(), b);
 }
 
 Simulation::Moment Simulation::moment() const {

@@ -21,9 +21,12 @@ struct Simulation::Impl {
   Impl(Scene s, const Execution& execution)
       : scene(with_defaults(std::move(s))),
         derived(derive(scene)),
+        threads(scene.solver.backend == BackendName::cpu
+                    ? thread_count(execution.threads, derived.most_particles)
+                    : 1),
         bodies(scene.body.empty() ? nullptr : std::make_unique<Bodies>(scene)),
         engine_(make_engine_of(execution)) {
-    health.emplace(scene, derived, engine_->fluid());
+    health.emplace(scene, derived, engine_->fluid(), bodies.get());
   }
   std::unique_ptr<Engine> make_engine_of(const Execution& execution) const;
   /// The engine, after positions that the caller has written have reached it.
@@ -49,6 +52,7 @@ struct Simulation::Impl {
 
   Scene scene;
   Derived derived;
+  int threads;
   std::unique_ptr<Bodies> bodies;  // null without bodies
   std::int64_t steps = 0;
   double time = 0;

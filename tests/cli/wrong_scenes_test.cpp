@@ -106,7 +106,7 @@ TEST(WrongScenes, RunToTheEndIfWhenWrongIsWarn) {
   EXPECT_TRUE(r.err.starts_with("error: the run cannot be right: ")) << r.err;
   const Json report = report_of(folder.path());
   EXPECT_EQ(report.at("state"), "cannot be right");
-  EXPECT_EQ(report.at("time"), 2.0);
+  EXPECT_EQ(report.at("time"), 1.0);
   const Json& warning = report.at("warnings").at(0);
   EXPECT_EQ(warning.at("kind"), "density");
   EXPECT_EQ(warning.at("cannot_be_right"), true);

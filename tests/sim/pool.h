@@ -61,7 +61,7 @@ class Pool {
   /// The error message for an adaptive run whose time step vanished.
   std::string step_failure() {
     try {
-      health_->fail_for_step({10, 0.005, 1e-12}, bounds);
+      health_->fail_for_step({10, 0.005, 1e-12}, view(), bounds);
     } catch (const Error& e) {
       return e.what();
     }

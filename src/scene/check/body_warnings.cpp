@@ -19,25 +19,6 @@ constexpr double lightest = 0.1;  // of the fluid's density: lighter bodies are 
 /// Spacings: the buoyancy of balls from this radius on is known (docs/bodies.md).
 constexpr double smallest_ball = 1.5;
 
-/// An upper bound on the speed of all points of a moved body [m/s], from 1001 times.
-double fastest(const Scene& s, const Scene::Body& b) {
-  const PrescribedMotion motion(b, s.dimension());
-  const BodyShape shape = body_shape(b);
-  double arm = shape.reach;
-  if (!b.pivot.empty()) {
-    double off2 = 0;
-    const double center[] = {shape.center.x, shape.center.y, shape.center.z};
-    for (std::size_t d = 0; d < b.pivot.size(); ++d) off2 += std::pow(b.pivot[d] - center[d], 2);
-    arm += std::sqrt(off2);
-  }
-  double most = 0;
-  for (int k = 0; k <= 1000; ++k) {
-    const auto rate = motion.at(s.time.end * k / 1000).rate;
-    most = std::max(most, std::hypot(rate[0], rate[1], rate[2]) + arm * std::abs(rate[3]));
-  }
-  return most;
-}
-
 struct Length {
   const char* key;
   double value;
@@ -122,7 +103,7 @@ std::vector<Diagnostic> body_warnings(const Scene& s, const Derived& d) {
                          name, density / d.rest_density, lightest));
     }
     if (b.motion != BodyMotion::moved || s.time.adaptive) continue;
-    const double bound = 0.4 * d.support_radius / 2 / fastest(s, b);
+    const double bound = 0.4 * d.support_radius / 2 / fastest_point(b, s.dimension(), s.time.end);
     if (s.time.step > bound)
       warn("time.step", fmt::format("the time step {:.4g} s is longer than {:.4g} s, in which {} "
                                     "moves 0.4 h; fluid may pass through it; make it shorter",

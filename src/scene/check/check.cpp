@@ -55,6 +55,7 @@ void check_all(const Scene& scene, const std::set<std::string, std::less<>>& unr
   if ((walls || scene.wall.empty()) && (placed || scene.body.empty()) &&
       (flows || scene.inlet.empty()))
     check_room(scene, fluids, findings);
+  if (findings.list.empty() && unread.empty()) check_stability(scene, fluids.places, findings);
 }
 
 }  // namespace

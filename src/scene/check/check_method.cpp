@@ -82,15 +82,15 @@ void check_iterations(const Scene& s, Findings& out) {
 }
 
 /// An output interval is set in seconds or in steps, but not in both. It is at least one step.
+/// Adaptive steps are known when the fluid is sampled only: see scene_warnings.
 void check_every(const Scene& s, const char* name, std::optional<std::int64_t> steps,
                  std::optional<double> seconds, Findings& out) {
   const std::string key = fmt::format("output.{}", name), key_steps = key + "_steps";
   if (steps && seconds)
     out.error(key, fmt::format("{} and {} are both set; keep one", key, key_steps));
-  const double step = s.time.adaptive ? s.time.step_max.value_or(0) : s.time.step;
-  if (seconds && *seconds < step)
+  if (seconds && !s.time.adaptive && *seconds < s.time.step)
     out.error(key, fmt::format("{} is {} s, shorter than a time step, {} s; make it longer", key,
-                               *seconds, step));
+                               *seconds, s.time.step));
 }
 
 /// The number of frames is limited.

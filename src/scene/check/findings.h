@@ -107,6 +107,9 @@ void check_probes(const Scene& scene, Findings& out);
 void check_picture(const Scene& scene, Findings& out);
 void check_camera(const Scene& scene, Findings& out);
 
+/// Runs that are bound to fail, with `particles` at the start.
+void check_stability(const Scene& scene, double particles, Findings& out);
+
 bool good_domain(const Scene& scene);
 
 }  // namespace freshet

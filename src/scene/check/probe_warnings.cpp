@@ -27,10 +27,35 @@ template <class R> bool reaches(const Scene& s, const Scene::Probe& p, const std
   return false;
 }
 
+/// Whether all of a probe is beyond a side of the domain that fluid cannot pass. A body may carry a
+/// probe inside.
+bool is_outside(const Scene& s, const Scene::Probe& p) {
+  if (!p.body.empty()) return false;
+  const Vector &from = p.kind == ProbeKind::point ? p.at : p.from,
+               &to = p.kind == ProbeKind::point ? p.at : p.to;
+  for (int side = 0; side < 2 * s.dimension(); ++side) {
+    const auto k = std::size_t(side / 2);
+    if (!s.periodic(side / 2) && s.side_method(side) == WallMethod::open) continue;
+    const bool beyond = side % 2 ? std::min(from[k], to[k]) > s.domain.max[k]
+                                 : std::max(from[k], to[k]) < s.domain.min[k];
+    if (beyond) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<Diagnostic> probe_warnings(const Scene& s) {
   std::vector<Diagnostic> list;
+  for (std::size_t k = 0; k < s.probe.size(); ++k) {
+    const bool point = s.probe[k].kind == ProbeKind::point;
+    if (s.probe[k].kind != ProbeKind::wall && is_outside(s, s.probe[k]))
+      list.push_back(
+          {Diagnostic::Severity::warning,
+           place_of(s, fmt::format("probe[{}].{}", k, point ? "at" : "from")),
+           fmt::format("{} is outside the domain, where it finds no fluid; move it inside",
+                       point ? "this point" : "all of this probe")});
+  }
   if (std::ranges::none_of(s.probe, [](const auto& p) { return p.kind == ProbeKind::wall; }))
     return list;
   Sample all;

@@ -8,6 +8,7 @@
 #include "scene/check/body_warnings.h"
 #include "scene/check/findings.h"
 #include "scene/check/point_warnings.h"
+#include "scene/check/pressure_warnings.h"
 #include "scene/check/probe_warnings.h"
 #include "scene/model/loaded_mesh.h"
 #include "scene/model/setup.h"
@@ -34,6 +35,7 @@ class Warnings {
     for (std::size_t k = 0; k < s_.body.size(); ++k) mesh("body", k, s_.body[k]);
     for (Diagnostic& d : body_warnings(s_, d_)) list_.push_back(std::move(d));
     for (Diagnostic& d : thin_wall_warnings(s_, d_)) list_.push_back(std::move(d));
+    for (Diagnostic& d : pressure_warnings(s_, d_)) list_.push_back(std::move(d));
     for (Diagnostic& d : point_warnings(s_)) list_.push_back(std::move(d));
     for (Diagnostic& d : probe_warnings(s_)) list_.push_back(std::move(d));
     return std::move(list_);
@@ -164,6 +166,17 @@ class Warnings {
            fmt::format("the time step {:.4g} s is over its bound, {:.4g} s ({}); the run may "
                        "blow up",
                        s_.time.step, d_.step_bound(), d_.step_bound_name()));
+    const double step = s_.time.adaptive ? std::min(*s_.time.step_max, d_.step_bound()) : 0;
+    const auto often = [&](const std::string& key, std::optional<double> every) {
+      if (every && *every < step)
+        warn(key, fmt::format("{} is {:.4g} s, shorter than the time step, about {:.4g} s: every "
+                              "step writes; make it longer",
+                              key, *every, step));
+    };
+    often("output.observables_every", s_.output.observables_every);
+    often("output.frame_every", s_.output.frame_every);
+    often("output.data_every", s_.output.data_every);
+    often("output.checkpoint_every", s_.output.checkpoint_every);
   }
 
   /// The speed of the flow [m/s]: of its start, its inlets or a fall that viscosity may slow.

@@ -12,6 +12,7 @@
 
 #include "core/input_file.h"
 #include "core/table_text.h"
+#include "scene/model/body_shape.h"
 #include "scene/model/expressions.h"
 
 namespace freshet {
@@ -194,6 +195,24 @@ Displacement PrescribedMotion::between_keys(double time) const {
     d.rate[j] = m + s * (2 * (3 * rise - 2 * m - n) + 3 * s * (m + n - 2 * rise));
   }
   return d;
+}
+
+double fastest_point(const Scene::Body& b, int dimension, double end) {
+  const PrescribedMotion motion(b, dimension);
+  const BodyShape shape = body_shape(b);
+  double arm = shape.reach;
+  if (!b.pivot.empty()) {
+    double off2 = 0;
+    const double center[] = {shape.center.x, shape.center.y, shape.center.z};
+    for (std::size_t d = 0; d < b.pivot.size(); ++d) off2 += std::pow(b.pivot[d] - center[d], 2);
+    arm += std::sqrt(off2);
+  }
+  double most = 0;
+  for (int k = 0; k <= 1000; ++k) {
+    const auto rate = motion.at(end * k / 1000).rate;
+    most = std::max(most, std::hypot(rate[0], rate[1], rate[2]) + arm * std::abs(rate[3]));
+  }
+  return most;
 }
 
 }  // namespace freshet

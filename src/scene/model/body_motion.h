@@ -42,4 +42,7 @@ class PrescribedMotion {
   bool linear_ = false;
 };
 
+/// An upper bound on the speed of all points of a moved body until `end` [m/s], from 1001 times.
+double fastest_point(const Scene::Body& body, int dimension, double end);
+
 }  // namespace freshet

@@ -122,17 +122,12 @@ double viscous_step(const Scene& s, const Derived& d, double h) {
 }
 
 void derive_steps(const Scene& s, Derived& d) {
-  const double h = d.support_radius / 2;
-  d.acoustic_step = 0.4 * h / (d.sound_speed * std::sqrt(d.lightness));
-  d.force_step = 0.25 * std::sqrt(h / norm_of(s.domain.gravity));
-  d.viscous_step = viscous_step(s, d, h);
-  d.flow_step = std::numeric_limits<double>::infinity();
-  d.capillary_step = d.flow_step;
-  if (s.solver.surface_tension_method != SurfaceTensionMethod::none)
-    for (const Scene::Fluid& f : s.fluid)
-      d.capillary_step = std::min(
-          d.capillary_step,
-          0.25 * std::sqrt(f.rest_density * h * h * h / (2 * double(pi) * *f.surface_tension)));
+  const TimeStepBounds bounds = bounds_at_rest(s);
+  d.acoustic_step = bounds.acoustic;
+  d.force_step = bounds.force;
+  d.viscous_step = bounds.viscous;
+  d.flow_step = bounds.flow;
+  d.capillary_step = bounds.capillary;
 }
 
 /// The maximum speed at the start [m/s].
@@ -159,7 +154,6 @@ void derive_flow(const Scene& s, double fastest, Derived& d) {
   d.density_tolerance = density_tolerance(s);
   d.sound_speed = 10 * std::max(fastest, std::sqrt(fastest_fall2(s)));
   d.stiffness = square(d.sound_speed);
-  d.acoustic_step = std::numeric_limits<double>::infinity();
   d.flow_step = 0.4 * d.support_radius / 2 / fastest;
 }
 
@@ -189,6 +183,22 @@ double stiffness(const Scene& s) {
 }
 
 double sound_speed(const Scene& s) { return std::sqrt(stiffness(s)); }
+
+TimeStepBounds bounds_at_rest(const Scene& s) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Derived d{};
+  derive_liquids(s, d);
+  d.sound_speed = sound_speed(s);
+  const double h = support_radius(s) / 2;
+  TimeStepBounds b{
+      s.method().incompressible() ? infinity : 0.4 * h / (d.sound_speed * std::sqrt(d.lightness)),
+      0.25 * std::sqrt(h / norm_of(s.domain.gravity)), viscous_step(s, d, h)};
+  if (s.solver.surface_tension_method != SurfaceTensionMethod::none)
+    for (const Scene::Fluid& f : s.fluid)
+      b.capillary = std::min(b.capillary, 0.25 * std::sqrt(f.rest_density * h * h * h /
+                                                           (2 * double(pi) * *f.surface_tension)));
+  return b;
+}
 
 Derived derive(const Scene& scene) {
   check_scene(scene);

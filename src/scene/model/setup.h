@@ -25,6 +25,9 @@ double support_radius(const Scene& scene);
 /// k in p = k(rho - rho0) [m²/s²] of mueller2003; else the square of the speed of sound.
 double stiffness(const Scene& scene);
 double sound_speed(const Scene& scene);  ///< [m/s]
+/// The time-step limits that follow from the scene alone, without sampling: those of a fluid at
+/// rest. The scene must have its defaults filled in.
+TimeStepBounds bounds_at_rest(const Scene& scene);
 /// The density tolerance of the pressure solvers: as set, or the default of the solver.
 double density_tolerance(const Scene& scene);  ///< of the mean of max(0, rho/rho0 - 1)
 

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// Warnings of scenes that can run, and errors of scenes that are bound to fail.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "freshet/scene.h"
+
+namespace freshet::test {
+namespace {
+
+/// A dam break of 1 m × 2 m of water in a box of 4 m × 2 m.
+std::string dam(const std::string& solver, const std::string& time, const std::string& more = "") {
+  return "[domain]\nmax = [4.0, 2.0]\n[particles]\nspacing = 0.1\n[fluid]\nmin = [0, 0]\n"
+         "max = [1, 2]\n[solver]\nname = \"" +
+         solver + "\n[time]\n" + time + more;
+}
+
+/// All warnings, or the error.
+std::string told(const std::string& text) {
+  std::string all;
+  try {
+    for (const Diagnostic& d : scene_warnings(parse_scene(text, "s.toml"))) all += d.text() + "\n";
+  } catch (const Error& e) {
+    all = e.what();
+  }
+  return all;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+const std::string adaptive = "end = 1.0\nstep = \"adaptive\"\nstep_max = 0.01\n";
+
+TEST(SceneWarnings, SoundSlowerThanFiveTimesAFall) {
+  const std::string slow = told(dam("wcsph\"\nsound_speed = 25.0", adaptive));
+  EXPECT_TRUE(contains(slow,
+                       "s.toml:10:15: warning: the speed of sound is 25 m/s, and a fall through "
+                       "the domain reaches 6.18"))
+      << slow;
+  EXPECT_TRUE(contains(slow, "compresses the fluid by about 6.12 %")) << slow;
+  EXPECT_EQ("", told(dam("wcsph\"\nsound_speed = 35.0", adaptive)));
+  EXPECT_EQ("", told(dam("dfsph\"", adaptive)));
+}
+
+TEST(SceneWarnings, SoundThatDoesNotCarryTheWeightIsAnError) {
+  const std::string soft = "wcsph\"\nsound_speed = 2.5";
+  const std::string longer = "end = 3.0\nstep = \"adaptive\"\nstep_max = 0.01\n";
+  EXPECT_TRUE(contains(told(dam(soft, longer)),
+                       "s.toml:10:15: error: solver.sound_speed is 2.5: at rest, the weight"))
+      << told(dam(soft, longer));
+  EXPECT_TRUE(contains(told(dam(soft, adaptive)), "warning: "));  // ends before it settles
+  EXPECT_TRUE(
+      contains(told(dam(soft, longer, "[checks]\nwhen_wrong = \"warn\"\n")), "warning: the speed"));
+}
+
+TEST(SceneWarnings, FixedStepFarOverItsBoundIsAnError) {
+  EXPECT_TRUE(contains(told(dam("wcsph\"", "end = 1.0\nstep = 0.02\n")),
+                       "error: time.step is 0.02 s, 31.3 times its bound by sound, 0.0006386 s"))
+      << told(dam("wcsph\"", "end = 1.0\nstep = 0.02\n"));
+  EXPECT_TRUE(
+      contains(told(dam("wcsph\"", "end = 1.0\nstep = 0.005\n")), "warning: the time step"));
+}
+
+TEST(SceneWarnings, OutputMoreOftenThanTheRealStep) {
+  const std::string every = "[output]\nobservables_every = ";
+  // step_max is 0.01 s, and the step is 0.0006 s
+  EXPECT_EQ("", told(dam("wcsph\"", adaptive, every + "0.002\n")));
+  EXPECT_TRUE(contains(told(dam("wcsph\"", adaptive, every + "0.0002\n")),
+                       "warning: output.observables_every is 0.0002 s, shorter than the time step, "
+                       "about 0.0006386 s"));
+  EXPECT_TRUE(contains(told(dam("wcsph\"", "end = 1.0\nstep = 0.0005\n", every + "0.0002\n")),
+                       "error: output.observables_every"));
+}
+
+TEST(SceneWarnings, ProbeOutsideTheDomain) {
+  const auto at = [](const std::string& x) {
+    return told(dam("dfsph\"", adaptive, "[[probe]]\nat = [" + x + ", 0.5]\n"));
+  };
+  EXPECT_TRUE(contains(at("4.2"), "warning: this point is outside the domain")) << at("4.2");
+  EXPECT_EQ("", at("3.9"));
+}
+
+TEST(SceneWarnings, DensityRatioOfPressureSolvers) {
+  const auto over = [](const std::string& density, const std::string& solver) {
+    return told(
+        "[domain]\nmax = [1, 1]\n[particles]\nspacing = 0.1\n[[fluid]]\nmin = [0, 0]\n"
+        "max = [1, 0.5]\n[[fluid]]\nmin = [0, 0.5]\nmax = [1, 1]\nrest_density = " +
+        density + "\n[solver]\nname = \"" + solver + "\"\n[time]\n" + adaptive);
+  };
+  EXPECT_EQ("", over("40", "dfsph"));
+  EXPECT_TRUE(contains(over("20", "dfsph"),
+                       "s.toml:11:16: warning: a liquid is 50 times as dense as another, and the "
+                       "pressure of dfsph holds ratios up to about 30"))
+      << over("20", "dfsph");
+  EXPECT_TRUE(contains(over("1.2", "dfsph"), "error: a liquid is 833.3 times as dense"));
+  EXPECT_EQ("", over("1.2", "wcsph"));
+}
+
+TEST(SceneWarnings, DeepStillWaterOfDfsph) {
+  const auto still = [](const std::string& depth, const std::string& more) {
+    return told(
+        "[domain]\nmax = [1, 6]\n[particles]\nspacing = 0.1\n[fluid]\nmin = [0, 0]\n"
+        "max = [1, " +
+        depth + "]\npressure = \"hydrostatic\"\n[solver]\nname = \"dfsph\"\n" + more + "[time]\n" +
+        adaptive);
+  };
+  EXPECT_EQ("", still("3.0", ""));
+  EXPECT_TRUE(contains(still("5.0", ""),
+                       "still water 50 spacings deep keeps moving at about 0.17 "
+                       "m/s with dfsph; set solver.warm_start = false"))
+      << still("5.0", "");
+  EXPECT_EQ("", still("5.0", "warm_start = false\n"));
+}
+
+}  // namespace
+}  // namespace freshet::test
