@@ -180,7 +180,7 @@ template <int D> class Space {
   /// particles.
   void share_cut_cells() {
     for (std::size_t c = 0; c < free_.size(); ++c)
-      for (int side = 0; side < 2 * D && volume_of_[c] < 0 && free_[c] > 0; ++side) {
+      for (int side = 0; side < 2 * D && volume_of_[c] < 0 && free_[c] > 0.01F; ++side) {
         const std::int64_t next = neighbor(c, side);
         if (next < 0 || free_[std::size_t(next)] < 0.5) continue;
         volume_of_[c] = volume_of_[std::size_t(next)];
@@ -203,7 +203,7 @@ template <int D> class Space {
   /// The moved body of which more moves into a volume than out of it. A body that turns or drifts
   /// in the fluid takes no room away.
   void find_body_into(int volume, ClosedVolume& found) const {
-    std::vector<double> inflow(solids_.size()), faces(solids_.size());
+    std::vector<double> inflow(solids_.size()), gross(inflow), faces(inflow);
     for (std::size_t c = 0; c < free_.size(); ++c)
       for (int side = 0; side < 2 * D && volume_of_[c] == volume && free_[c] >= 0.5; ++side) {
         const std::int64_t beyond = neighbor(c, side);
@@ -214,11 +214,13 @@ template <int D> class Space {
         const double sign = side % 2 ? 1 : -1;
         component(normal, side / 2) = -sign;
         component(face, side / 2) += sign * cell_[std::size_t(side / 2)] / 2;
-        inflow[k] += solids_.approach(k, face, normal);
+        const double speed = solids_.approach(k, face, normal);
+        inflow[k] += speed;
+        gross[k] += std::abs(speed);
         ++faces[k];
       }
     for (std::size_t k = 0; k < inflow.size(); ++k)
-      if (faces[k] > 0 && inflow[k] / faces[k] > found.speed * (1 + 1e-9)) {
+      if (inflow[k] > 0.01 * gross[k] && inflow[k] / faces[k] > found.speed) {
         found.speed = inflow[k] / faces[k];
         found.body = solids_.name(k);
       }

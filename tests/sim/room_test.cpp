@@ -39,7 +39,7 @@ const std::string press =
 TEST(Room, FindsAPinchUnderABodyThatCloses) {
   const Situation wide(press + "position = [\"0\", \"-0.1*t\"]\n", 1),
       narrow(press + "position = [\"0\", \"-0.16*t\"]\n", 1),
-      rising(press + "position = [\"0\", \"-0.16+0.1*(t-1)\"]\n", 1);
+      rising(press + "position = [\"0\", \"-0.64*t*(1.25-t)\"]\n", 1);
   EXPECT_FALSE(find_pinch(wide.scene, &wide.bodies, wide.fluid()));
   const auto pinch = find_pinch(narrow.scene, &narrow.bodies, narrow.fluid());
   ASSERT_TRUE(pinch);
