@@ -27,10 +27,11 @@ template <int D> class Solids {
       }
     for (std::size_t k = 0; k < scene.wall.size(); ++k)
       if (scene.wall[k].shape != Shape::points)
-        walls_.push_back({RegionSurface<D>(scene.wall[k], scene.particles.spacing), names[2 * D + k]});
+        walls_.push_back(
+            {RegionSurface<D>(scene.wall[k], scene.particles.spacing), names[2 * D + k]});
     for (std::size_t k = 0; bodies && k < bodies->size(); ++k)
-      bodies_.push_back({RegionSurface<D>(scene.body[k], scene.particles.spacing), scene.body_name(k),
-                         flat(bodies->center(k)), bodies->states()[k],
+      bodies_.push_back({RegionSurface<D>(scene.body[k], scene.particles.spacing),
+                         scene.body_name(k), flat(bodies->center(k)), bodies->states()[k],
                          scene.body[k].motion == BodyMotion::moved});
   }
 
