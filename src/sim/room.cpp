@@ -151,7 +151,7 @@ template <int D> class Space {
   }
   bool is_in_outlet(Point x) const {
     return std::any_of(s_.outlet.begin(), s_.outlet.end(), [&](const Scene::Outlet& outlet) {
-      return RegionSurface<D>(outlet).distance(x) > 0;
+      return RegionSurface<D>(outlet, s_.particles.spacing).distance(x) > 0;
     });
   }
   /// Numbers the volume that a cell belongs to.
