@@ -42,6 +42,8 @@ enum class DataFormat { vtp, ply, csv, hdf5 };
 enum class DataField { velocity, density, pressure, id };
 enum class Precision { float32, float16 };
 enum class BodyMotion { fixed, moved, free };
+/// A translation along an axis of space, or a rotation about it.
+enum class Freedom { x, y, z, rotation_x, rotation_y, rotation_z };
 enum class Interpolation { smooth, linear };
 
 struct LoadedMesh;
@@ -143,8 +145,13 @@ struct Scene {
     Vector turn_axis;  // z if empty
     // free
     std::optional<double> density, mass;  // [kg/m^D], [kg; kg/m in 2D]
-    Vector velocity;                      // at the start; at rest if empty
-    double angular_velocity = 0;          // about turn_axis [rad/s]
+    Vector center_of_mass;                // at the start [m]; of an even density if empty
+    // about the centre of mass at the start [kg m²; kg m in 2D]: zz in 2D, xx, yy, zz in 3D, and
+    // perhaps xy, xz, yz; of an even density if empty
+    Vector inertia;
+    std::vector<Freedom> lock;    // does not move along or about these
+    Vector velocity;              // at the start; at rest if empty
+    double angular_velocity = 0;  // about turn_axis [rad/s]
     double restitution = 0.3, friction = 0.5;
   };
   /// A hinge.

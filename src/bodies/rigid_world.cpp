@@ -4,8 +4,7 @@
 #include <algorithm>
 
 #ifdef FRESHET_BULLET
-#include <btBulletDynamicsCommon.h>
-
+#include "bodies/body_axes.h"
 #include "scene/model/loaded_mesh.h"
 #include "scene/model/solid_of.h"
 #endif
@@ -20,7 +19,6 @@ using Point = Vec<3, double>;
 
 btVector3 bullet(Point p) { return {p.x, p.y, p.z}; }
 btVector3 bullet(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
-std::array<double, 3> array(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 btVector3 in_space(const Vector& v) { return {v[0], v[1], v.size() == 3 ? v[2] : 0.0}; }
 
 constexpr double margin = 0.02;  // over the smallest half side of a shape: Bullet's edge radius
@@ -75,6 +73,10 @@ struct RigidWorld::Impl {
     btQuaternion turn = btQuaternion::getIdentity();
     double mass = 0;
     btVector3 inertia{0, 0, 0};
+    std::array<bool, 6> free{};
+    // the only part of a compound collider, and its place from the centre of mass at the start
+    std::unique_ptr<btCollisionShape> part;
+    btTransform part_place = btTransform::getIdentity();
   };
 
   const Scene& scene;
@@ -95,18 +97,44 @@ struct RigidWorld::Impl {
     const BodyShape& shape = shapes[k];
     Body out;
     const bool free = b.motion == BodyMotion::free;
-    if (free) out.mass = b.mass.value_or(b.density.value_or(0) * shape.volume);
-    const double density = out.mass / shape.volume;
+    if (free) out.mass = shape.mass;
+    out.free = freedoms_of(b, scene.dimension());
     if (b.shape != Shape::mesh) out.collider.shape = shape_of(b, flat, out.turn);
     else mesh(b, shape, free, out);
-    const btMatrix3x3 turn(out.turn);
-    btMatrix3x3 inertia(shape.inertia[0][0], shape.inertia[0][1], shape.inertia[0][2],
-                        shape.inertia[1][0], shape.inertia[1][1], shape.inertia[1][2],
-                        shape.inertia[2][0], shape.inertia[2][1], shape.inertia[2][2]);
-    inertia = turn.transpose() * inertia * turn;
-    for (int d = 0; d < 3; ++d) out.inertia[d] = density * inertia[d][d];
+    const bool other_axes =
+        !flat && (!turns_freely(out.free) || (!b.inertia.empty() && b.shape != Shape::mesh));
+    if (free && (other_axes || !b.center_of_mass.empty())) compound(b, shape, out);
+    const btMatrix3x3 inertia = inertia_of(shape, btMatrix3x3(out.turn).transpose());
+    for (int d = 0; d < 3; ++d) out.inertia[d] = shape.density() * inertia[d][d];
     if (flat) out.inertia[0] = out.inertia[1] = out.inertia[2];  // it turns about z only
     return out;
+  }
+  /// Makes the collider a part of a compound: the axes of its shape are then no longer those of the
+  /// inertia, or the centre of the shape is not that of mass.
+  void compound(const Scene::Body& b, const BodyShape& shape, Body& out) const {
+    out.part = std::move(out.collider.shape);
+    out.part_place.setRotation(out.turn);
+    if (b.shape != Shape::mesh) out.part_place.setOrigin(bullet(shape.middle - shape.center));
+    if (!flat) out.turn = principal_axes(inertia_of(shape)).turn;
+    auto all = std::make_unique<btCompoundShape>(false);
+    all->addChildShape(btTransform(out.turn).inverse() * out.part_place, out.part.get());
+    out.collider.shape = std::move(all);
+  }
+  /// The axes and the inertia of a body in a step that begins with its rotation q.
+  BodyAxes axes(std::size_t k, const btQuaternion& q) const {
+    const Body& body = bodies[k];
+    if (flat || body.mass == 0 || turns_freely(body.free)) return {body.turn, body.inertia};
+    BodyAxes held = principal_axes(uncoupled(inertia_of(shapes[k], btMatrix3x3(q)), body.free));
+    held.inertia *= shapes[k].density();
+    held.turn = q.inverse() * held.turn;
+    static_cast<btCompoundShape&>(*body.collider.shape)
+        .updateChildTransform(0, btTransform(held.turn).inverse() * body.part_place);
+    return held;
+  }
+  /// -omega x (inertia omega), which Bullet does not have for a body with locked axes: its inertia
+  /// there lacks the elements that matter.
+  btVector3 gyroscopic_torque(std::size_t k, const btQuaternion& q, const btVector3& omega) const {
+    return -shapes[k].density() * omega.cross(inertia_of(shapes[k], btMatrix3x3(q)) * omega);
   }
   /// The collider of a mesh. That of a free body is the convex hull, because Bullet cannot move
   /// concave meshes.
@@ -119,13 +147,7 @@ struct RigidWorld::Impl {
       out.collider.shape->setMargin(0);
       return;
     }
-    btMatrix3x3 inertia(shape.inertia[0][0], shape.inertia[0][1], shape.inertia[0][2],
-                        shape.inertia[1][0], shape.inertia[1][1], shape.inertia[1][2],
-                        shape.inertia[2][0], shape.inertia[2][1], shape.inertia[2][2]);
-    btMatrix3x3 principal;
-    inertia.diagonalize(principal, 1e-12 * (inertia[0][0] + inertia[1][1] + inertia[2][2]), 100);
-    principal.getRotation(out.turn);
-    out.turn.normalize();
+    out.turn = principal_axes(inertia_of(shape)).turn;
     auto hull = std::make_unique<btConvexHullShape>();
     const btMatrix3x3 back = btMatrix3x3(out.turn).transpose();
     for (const Point& p : m.points) hull->addPoint(back * bullet(p - shape.center), false);
@@ -253,14 +275,17 @@ void RigidWorld::step(std::vector<BodyState>& states, std::span<const Load> load
   Step step;
   const Impl& w = *impl_;
   std::vector<btRigidBody*> all;
+  std::vector<btQuaternion> turns;  // from the axes of a body to Bullet's
   for (std::size_t k = 0; k < states.size(); ++k) {
     const BodyState& state = states[k];
     const Scene::Body& scene = w.scene.body[k];
     const auto& body = w.bodies[k];
     const auto& q = state.orientation;
-    const btTransform place(btQuaternion(q[0], q[1], q[2], q[3]) * body.turn,
-                            bullet(state.position));
-    btRigidBody& b = step.add(body.mass, body.collider.shape.get(), body.inertia, place);
+    const btQuaternion turned(q[0], q[1], q[2], q[3]);
+    const BodyAxes axes = w.axes(k, turned);
+    turns.push_back(axes.turn);
+    const btTransform place(turned * axes.turn, bullet(state.position));
+    btRigidBody& b = step.add(body.mass, body.collider.shape.get(), axes.inertia, place);
     b.setFriction(scene.friction);
     b.setRestitution(scene.restitution);
     const btVector3 v = bullet(state.velocity), omega = bullet(state.angular_velocity);
@@ -271,9 +296,12 @@ void RigidWorld::step(std::vector<BodyState>& states, std::span<const Load> load
       btTransformUtil::integrateTransform(place, -v, -omega, dt, before);
       b.setInterpolationWorldTransform(before);
     } else if (scene.motion == BodyMotion::free) {
-      if (w.flat) {
-        b.setLinearFactor({1, 1, 0});
-        b.setAngularFactor({0, 0, 1});
+      const auto& free = body.free;
+      b.setLinearFactor(btVector3(free[0], free[1], free[2]));
+      b.setAngularFactor(btVector3(free[3], free[4], free[5]));
+      if (!w.flat && !turns_freely(free)) {
+        b.setFlags(0);  // no gyroscopic torque by Bullet
+        b.applyTorque(w.gyroscopic_torque(k, turned, omega));
       }
       b.setLinearVelocity(v);
       b.setAngularVelocity(omega);
@@ -289,10 +317,10 @@ void RigidWorld::step(std::vector<BodyState>& states, std::span<const Load> load
     // the hinge in the axes of each of the two bodies, from their initial positions
     const auto at = [&](std::size_t k, const btVector3& x) {
       const Point& c = w.shapes[k].center;
-      return btMatrix3x3(w.bodies[k].turn).transpose() * (x - bullet(c));
+      return btMatrix3x3(turns[k]).transpose() * (x - bullet(c));
     };
     const auto along = [&](std::size_t k, const btVector3& a) {
-      return btMatrix3x3(w.bodies[k].turn).transpose() * a;
+      return btMatrix3x3(turns[k]).transpose() * a;
     };
     const std::size_t k = w.named(joint.body);
     const btVector3 x = in_space(joint.point),
@@ -314,12 +342,17 @@ void RigidWorld::step(std::vector<BodyState>& states, std::span<const Load> load
   for (std::size_t k = 0; k < states.size(); ++k) {
     if (w.scene.body[k].motion != BodyMotion::free) continue;
     const btTransform place = all[k]->getWorldTransform();
-    btQuaternion q = place.getRotation() * w.bodies[k].turn.inverse();
+    btQuaternion q = place.getRotation() * turns[k].inverse();
     q.normalize();
-    states[k].position = array(place.getOrigin());
-    states[k].orientation = {q.x(), q.y(), q.z(), q.w()};
-    states[k].velocity = array(all[k]->getLinearVelocity());
-    states[k].angular_velocity = array(all[k]->getAngularVelocity());
+    const auto& free = w.bodies[k].free;
+    const auto move = [&](auto& to, const btVector3& by, std::size_t first) {
+      for (std::size_t d = 0; d < 3; ++d)
+        if (free[first + d]) to[d] = by[int(d)];
+    };
+    move(states[k].position, place.getOrigin(), 0);
+    move(states[k].velocity, all[k]->getLinearVelocity(), 0);
+    move(states[k].angular_velocity, all[k]->getAngularVelocity(), 3);
+    if (free[3] || free[4] || free[5]) states[k].orientation = {q.x(), q.y(), q.z(), q.w()};
   }
 }
 

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bodies/bodies.h"
-#include "scene/model/body_shape.h"
+#include "bodies/world.h"
 #include "core/rotation.h"
 #include "mesh/mesh_distance.h"
 #include "scene/model/body_mesh.h"
@@ -17,47 +16,6 @@ namespace freshet::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-/// A scene of these bodies. It needs a fluid: a drop far from them.
-Scene scene_of(const std::string& bodies, bool flat = true, const std::string& domain = "") {
-  const std::string rest =
-      flat ? "[domain]\nmax = [10, 10]\n" + domain + "[fluid]\nmin = [9.5, 9.5]\nmax = [9.7, 9.7]\n"
-           : "[domain]\nmax = [10, 10, 10]\n"
-             "[fluid]\nmin = [9.5, 9.5, 9.5]\nmax = [9.7, 9.7, 9.7]\n";
-  return parse_scene(rest +
-                         "[particles]\nspacing = 0.1\n[solver]\nname = \"wcsph\"\n"
-                         "sound_speed = 10\n"
-                         "[time]\nend = 4\nstep = 0.001\n" +
-                         bodies,
-                     "test.toml");
-}
-
-class World {
- public:
-  explicit World(const std::string& bodies, bool flat = true, const std::string& domain = "")
-      : scene_(scene_of(bodies, flat, domain)), bodies_(scene_), nothing_(bodies_.size()) {}
-  const BodyState& operator[](std::size_t k) const { return bodies_.states()[k]; }
-  void run(double duration, double dt = 0.001) {
-    for (const double end = time_ + duration - dt / 2; time_ < end; time_ += dt)
-      bodies_.step(time_, dt, nothing_);
-  }
-  Bodies& bodies() { return bodies_; }
-
- private:
-  Scene scene_;
-  Bodies bodies_;
-  std::vector<SixNumbers> nothing_;
-  double time_ = 0;
-};
-
-double angle_of(const BodyState& b) { return 2 * std::atan2(b.orientation[2], b.orientation[3]); }
-
-class FreeBodies : public ::testing::Test {
- protected:
-  void SetUp() override {
-    if (!moves_free_bodies()) GTEST_SKIP() << "built without Bullet";
-  }
-};
 
 TEST_F(FreeBodies, FallFreely) {
   World w(

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/check/findings.h"
 #include "scene/model/body_motion.h"
 #include "scene/model/body_shape.h"
-#include "scene/check/findings.h"
 #include "scene/model/loaded_mesh.h"
 #include "scene/sample/sample_walls.h"
 
@@ -55,6 +55,28 @@ Length thickness(const Scene::Body& b) {
   return {"max", least};
 }
 
+/// Centres of mass and moments of inertia that need mass outside the shape.
+template <class Warn>
+void warn_of_mass(const Scene::Body& b, const std::string& at, const std::string& name, Warn warn) {
+  if (b.inertia.empty()) return;
+  const BodyShape shape = body_shape(b);
+  const double off = norm(shape.center - shape.middle);
+  if (off > shape.extent / 2)
+    warn(at + "center_of_mass",
+         fmt::format("the centre of mass of {} is {:.4g} m from the middle of its shape, which "
+                     "reaches {:.4g} m: is it in metres, and at the place of the body?",
+                     name, off, shape.extent / 2));
+  const auto& i = shape.inertia;
+  const double second = b.inertia.size() == 1 ? i[2][2] : (i[0][0] + i[1][1] + i[2][2]) / 2;
+  const double gyration = std::sqrt(second / shape.volume);
+  if (gyration > shape.reach)
+    warn(
+        at + "inertia",
+        fmt::format("the inertia of {} is that of its mass {:.4g} m from its centre, and its shape "
+                    "reaches {:.4g} m: is it in kg m²?",
+                    name, gyration, shape.reach));
+}
+
 }  // namespace
 
 std::vector<Diagnostic> body_warnings(const Scene& s, const Derived& d) {
@@ -78,13 +100,14 @@ std::vector<Diagnostic> body_warnings(const Scene& s, const Derived& d) {
                "what is behind it; make it thicker or the spacing smaller",
                name, thick.value, reached));
     if (b.motion == BodyMotion::free) {
-      const double density = b.density.value_or(b.mass.value_or(0) / body_shape(b).volume);
+      const double density = body_shape(b).density();
       if (density < lightest * d.rest_density)
         warn(at + (b.density ? "density" : "mass"),
              fmt::format("{} has {:.2g} times the density of the fluid: the fluid that it "
                          "displaces is so much heavier that its motion may oscillate; {:g} times "
                          "or more are stable",
                          name, density / d.rest_density, lightest));
+      warn_of_mass(b, at, name, warn);
     }
     if (b.motion != BodyMotion::moved || s.time.adaptive) continue;
     const double bound = 0.4 * d.support_radius / 2 / fastest(s, b);

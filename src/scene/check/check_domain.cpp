@@ -106,6 +106,7 @@ void check_sizes(const Scene& s, Findings& out) {
     check(at + "pivot", b.pivot.size());
     check(at + "turn_axis", b.turn_axis.size());
     check(at + "velocity", b.velocity.size());
+    check(at + "center_of_mass", b.center_of_mass.size());
     for (std::size_t j = 0; j < b.key.size(); ++j)
       check(fmt::format("{}key[{}].translation", at, j), b.key[j].translation.size());
   }

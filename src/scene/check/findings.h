@@ -78,6 +78,8 @@ bool check_bodies(const Scene& scene, Findings& out);
 /// False if a body is at a wrong place. Requires a count that check_count accepts.
 bool check_body_places(const Scene& scene, bool walls_are_good, Findings& out);
 
+/// False if the mass, the inertia or the locked axes of a free body are invalid.
+bool check_free(const Scene& scene, const Scene::Body& body, const std::string& at, Findings& out);
 /// Which parts of a scene can be counted.
 struct Countable {
   bool walls, bodies, inlets;

@@ -54,6 +54,8 @@ inline constexpr const char* color_by_words[] = {
 inline constexpr const char* color_map_words[] = {"article", "water", "viridis", "inferno",
                                                   "coolwarm"};
 inline constexpr const char* motion_words[] = {"fixed", "moved", "free"};
+inline constexpr const char* freedom_words[] = {"x",          "y",          "z",
+                                                "rotation_x", "rotation_y", "rotation_z"};
 inline constexpr const char* interpolation_words[] = {"smooth", "linear"};
 inline constexpr const char* integrator_words[] = {"symplectic_euler", "leapfrog", "verlet"};
 
@@ -80,6 +82,9 @@ class KeyVisitor {
   /// `count` numbers, in 2D and 3D; `value` is empty if the key is not set.
   virtual void numbers(std::string_view name, Vector& value, std::size_t count,
                        const KeyDoc& doc) = 0;
+  /// One number in 2D, one of `counts` in 3D; `value` is empty if the key is not set.
+  virtual void components(std::string_view name, Vector& value, std::span<const std::size_t> counts,
+                          const KeyDoc& doc) = 0;
   virtual void boolean(std::string_view name, bool& value, const KeyDoc& doc) = 0;
   virtual void counts(std::string_view name, Counts& value, const KeyDoc& doc) = 0;
   /// A number, or `word`, which sets `is_word`.

@@ -270,11 +270,16 @@ Vector SceneReader::read_array(std::string_view name, const KeyDoc& doc, bool wh
            fmt::format("{}{} is {}; it must be {}", scope_.name, name, found(*node), words));
     return {};
   }
+  return read_elements(name, *a, doc, whole);
+}
+
+Vector SceneReader::read_elements(std::string_view name, const toml::array& array,
+                                  const KeyDoc& doc, bool whole) {
   Vector read;
-  for (std::size_t k = 0; k < a->size(); ++k)
-    if (const auto v = in_range(fmt::format("{}[{}]", name, k), *a->get(k), doc, whole))
+  for (std::size_t k = 0; k < array.size(); ++k)
+    if (const auto v = in_range(fmt::format("{}[{}]", name, k), *array.get(k), doc, whole))
       read.push_back(*v);
-  return read.size() == a->size() ? read : Vector();
+  return read.size() == array.size() ? read : Vector();
 }
 
 void SceneReader::vector(std::string_view name, Vector& value, const KeyDoc& doc) {
@@ -284,6 +289,31 @@ void SceneReader::vector(std::string_view name, Vector& value, const KeyDoc& doc
 void SceneReader::numbers(std::string_view name, Vector& value, std::size_t count,
                           const KeyDoc& doc) {
   if (Vector read = read_array(name, doc, false, count); !read.empty()) value = std::move(read);
+}
+
+void SceneReader::components(std::string_view name, Vector& value,
+                             std::span<const std::size_t> counts, const KeyDoc& doc) {
+  const toml::node* node = take(name, doc);
+  if (!node) return;
+  const toml::array* list = node->as_array();
+  const bool number = node->is_number() && dimension_ != 3;
+  const bool fits = list && dimension_ != 2 &&
+                    std::find(counts.begin(), counts.end(), list->size()) != counts.end();
+  Vector read;
+  if (number) {
+    if (const auto v = in_range(std::string(name), *node, doc, false)) read = {*v};
+  } else if (fits) {
+    read = read_elements(name, *list, doc, false);
+  } else {
+    const std::string in_3d =
+        fmt::format("{} numbers in brackets in 3D", fmt::join(counts, " or "));
+    reject(node->source(), fmt::format("{}{}", scope_.path, name),
+           fmt::format("{}{} is {}; it must be {}", scope_.name, name, found(*node),
+                       dimension_ == 2   ? "a number in 2D"
+                       : dimension_ == 3 ? in_3d
+                                         : "a number in 2D, " + in_3d));
+  }
+  if (!read.empty()) value = std::move(read);
 }
 
 void SceneReader::boolean(std::string_view name, bool& value, const KeyDoc& doc) {

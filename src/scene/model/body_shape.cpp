@@ -95,6 +95,29 @@ BodyShape mesh(const TriangleMesh& m) {
   return b;
 }
 
+BodyShape of_even_density(const Scene::Body& r) {
+  if (r.shape == Shape::sphere) return ball(r);
+  if (r.shape == Shape::cylinder) return cylinder(r);
+  if (r.shape == Shape::mesh) return mesh(r.loaded->distance.mesh());
+  return box(r);
+}
+
+/// The tensor of the key `inertia`.
+void set_inertia(BodyShape& b, const Vector& inertia) {
+  auto& i = b.inertia;
+  if (inertia.size() == 1) {
+    i[2][2] = inertia[0] / b.density();
+    return;
+  }
+  for (std::size_t k = 0; k < 3; ++k) i[k][k] = inertia[k] / b.density();
+  const auto beside = [&](std::size_t k) {
+    return inertia.size() == 6 ? inertia[k] / b.density() : 0.0;
+  };
+  i[0][1] = i[1][0] = beside(3);
+  i[0][2] = i[2][0] = beside(4);
+  i[1][2] = i[2][1] = beside(5);
+}
+
 }  // namespace
 
 bool moves_free_bodies() {
@@ -106,10 +129,23 @@ bool moves_free_bodies() {
 }
 
 BodyShape body_shape(const Scene::Body& r) {
-  if (r.shape == Shape::sphere) return ball(r);
-  if (r.shape == Shape::cylinder) return cylinder(r);
-  if (r.shape == Shape::mesh) return mesh(r.loaded->distance.mesh());
-  return box(r);
+  BodyShape b = of_even_density(r);
+  b.middle = b.center;
+  b.extent = 2 * b.reach;
+  b.mass = r.mass.value_or(r.density.value_or(0) * b.volume);
+  if (!r.inertia.empty()) set_inertia(b, r.inertia);
+  if (r.center_of_mass.empty()) return b;
+  b.center = point_of(r.center_of_mass);
+  b.reach += norm(b.center - b.middle);
+  return b;
+}
+
+std::array<bool, 6> freedoms_of(const Scene::Body& body, int dimension) {
+  std::array<bool, 6> free{};
+  for (std::size_t k = 0; k < 6; ++k)
+    free[k] = (dimension == 3 || k < 2 || k == 5) &&
+              std::find(body.lock.begin(), body.lock.end(), Freedom(k)) == body.lock.end();
+  return free;
 }
 
 }  // namespace freshet
