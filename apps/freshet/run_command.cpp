@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <cmath>
 #include <new>
 #include <nlohmann/json.hpp>
 
@@ -38,6 +39,13 @@ std::string table(const Report& r) {
     const std::string line = fmt::format("  {:<22}{:<26}{}", name, value, check);
     out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   };
+  if (s.particles == 0 && r.flows.empty()) {
+    for (const auto& [name, b] : r.bodies)
+      row(name.c_str(),
+          fmt::format("at ({:.4g}, {:.4g}, {:.4g}) m, {:.4g} m/s", b.position[0], b.position[1],
+                      b.position[2], std::hypot(b.velocity[0], b.velocity[1], b.velocity[2])));
+    return out;
+  }
   row("out of bounds", fmt::format("{} of {}", s.out_of_bounds, s.particles),
       check_words(r, "out of bounds"));
   row("density mean", fmt::format("{:.5f} kg/m²", s.density_mean), check_words(r, "density mean"));

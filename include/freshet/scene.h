@@ -296,7 +296,8 @@ struct Scene {
     std::string color;
     bool operator==(const Liquid&) const = default;
   };
-  /// The distinct liquids, in the order of their first fluid or inlet; fluids come first.
+  /// The distinct liquids, in the order of their first fluid or inlet; fluids come first. A scene
+  /// without both has the default liquid.
   std::vector<Liquid> liquids() const;
   /// The liquid of the k-th inlet: what it does not set is the first fluid's, or the default where
   /// there is no fluid.

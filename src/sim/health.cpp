@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "scene/model/openings.h"
+#include "scene/model/setup.h"
 
 namespace freshet {
 namespace {
@@ -96,6 +97,7 @@ void Health::look(const Moment& now, const ParticleView& fluid,
   moment_ = now;
   now_ = look_at_(fluid);
   if (now_.lost) fail_for_lost();
+  if (fluid.size() == 0 && !has_fluid(scene_)) return;  // bodies alone
   if (scene_.solver.scheme == Scheme::article) return;  // its densities are none: docs/article.md
   const bool first = record_.first_step == 0;
   if (first) {

@@ -11,16 +11,12 @@
 
 namespace freshet::test {
 
-/// A scene of these bodies. It needs a fluid: a drop far from them.
+/// A scene of these bodies and no fluid.
 inline Scene scene_of(const std::string& bodies, bool flat = true, const std::string& domain = "") {
-  const std::string rest =
-      flat ? "[domain]\nmax = [10, 10]\n" + domain + "[fluid]\nmin = [9.5, 9.5]\nmax = [9.7, 9.7]\n"
-           : "[domain]\nmax = [10, 10, 10]\n" + domain +
-                 "[fluid]\nmin = [9.5, 9.5, 9.5]\nmax = [9.7, 9.7, 9.7]\n";
-  return parse_scene(rest +
+  return parse_scene((flat ? "[domain]\nmax = [10, 10]\n" : "[domain]\nmax = [10, 10, 10]\n") +
+                         domain +
                          "[particles]\nspacing = 0.1\n[solver]\nname = \"wcsph\"\n"
-                         "sound_speed = 10\n"
-                         "[time]\nend = 4\nstep = 0.001\n" +
+                         "sound_speed = 10\n[time]\nend = 4\nstep = 0.001\n" +
                          bodies,
                      "test.toml");
 }

@@ -11,6 +11,7 @@
 #include "scene/model/body_motion.h"
 #include "scene/model/body_shape.h"
 #include "scene/model/loaded_mesh.h"
+#include "scene/model/setup.h"
 #include "scene/sample/sample_walls.h"
 
 namespace freshet {
@@ -92,7 +93,7 @@ std::vector<Diagnostic> body_warnings(const Scene& s, const Derived& d) {
     free |= b.motion == BodyMotion::free;
     const double reached = wall_layers(s, WallMethod::adami2012) * d.spacing;
     const Length thick = thickness(b);
-    if (layered && thick.value < reached * (1 - 1e-6))
+    if (layered && has_fluid(s) && thick.value < reached * (1 - 1e-6))
       warn(at + thick.key,
            fmt::format(
                "{} is {:.4g} m thick, and \"adami2012\" needs {:.4g} m for layers of body "
@@ -101,7 +102,7 @@ std::vector<Diagnostic> body_warnings(const Scene& s, const Derived& d) {
                name, thick.value, reached));
     if (b.motion == BodyMotion::free) {
       const double density = body_shape(b).density();
-      if (density < lightest * d.rest_density)
+      if (has_fluid(s) && density < lightest * d.rest_density)
         warn(at + (b.density ? "density" : "mass"),
              fmt::format("{} has {:.2g} times the density of the fluid: the fluid that it "
                          "displaces is so much heavier that its motion may oscillate; {:g} times "
@@ -109,7 +110,7 @@ std::vector<Diagnostic> body_warnings(const Scene& s, const Derived& d) {
                          name, density / d.rest_density, lightest));
       warn_of_mass(b, at, name, warn);
     }
-    if (b.motion != BodyMotion::moved || s.time.adaptive) continue;
+    if (b.motion != BodyMotion::moved || s.time.adaptive || !has_fluid(s)) continue;
     const double bound = 0.4 * d.support_radius / 2 / fastest(s, b);
     if (s.time.step > bound)
       warn("time.step", fmt::format("the time step {:.4g} s is longer than {:.4g} s, in which {} "

@@ -141,7 +141,7 @@ class Warnings {
     }
   }
   void step() {
-    if (!s_.time.adaptive && s_.time.step > d_.step_bound())
+    if (has_fluid(s_) && !s_.time.adaptive && s_.time.step > d_.step_bound())
       warn("time.step",
            fmt::format("the time step {:.4g} s is over its bound, {:.4g} s ({}); the run may "
                        "blow up",

@@ -35,6 +35,8 @@ std::vector<Scene::Liquid> Scene::liquids() const {
   };
   for (const Fluid& f : fluid) add({f.rest_density, f.viscosity, f.color});
   for (std::size_t k = 0; k < inlet.size(); ++k) add(inlet_liquid(k));
+  const Fluid none;
+  if (all.empty()) add({none.rest_density, none.viscosity, none.color});
   return all;
 }
 
