@@ -33,31 +33,32 @@ class Rotation {
 
 }  // namespace
 
-std::shared_ptr<const LoadedMesh> load_mesh(const Scene::Region& r) {
+std::shared_ptr<const LoadedMesh> load_mesh(const Scene::Region& r, double fill_below) {
   TriangleMesh mesh = read_mesh(r.file);
   const Rotation turned(r.rotation);
   const Point translation = r.translation.empty() ? Point{} : vec_of<3>(r.translation);
   for (Point& x : mesh.points) x = turned(r.scale * x) + translation;
-  const MeshCondition condition = mend_mesh(mesh);
+  const MeshCondition condition = mend_mesh(mesh, fill_below);
   if (mesh.triangles.empty())
     throw Error(
         Error::Kind::scene, r.file,
         "every triangle in it is degenerate: two of its corners coincide; export the mesh again");
   return std::make_shared<LoadedMesh>(LoadedMesh{r.file, r.scale, r.rotation, r.translation,
-                                                 condition, MeshDistance(std::move(mesh))});
+                                                 fill_below, condition,
+                                                 MeshDistance(std::move(mesh))});
 }
 
-void remember_mesh(Scene::Region& r) {
+void remember_mesh(Scene::Region& r, double fill_below) {
   if (r.shape != Shape::mesh || r.file.empty()) return;
   for (const Vector* v : {&r.rotation, &r.translation})
     if (!v->empty() && v->size() != 3) return;
   const LoadedMesh* is = r.loaded.get();
   if (is && is->file == r.file && is->scale == r.scale && is->rotation == r.rotation &&
-      is->translation == r.translation)
+      is->translation == r.translation && is->fill_below == fill_below)
     return;
   r.loaded = nullptr;
   try {
-    r.loaded = load_mesh(r);
+    r.loaded = load_mesh(r, fill_below);
   } catch (const Error&) {
   }
 }
