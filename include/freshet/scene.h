@@ -17,7 +17,7 @@
 
 namespace freshet {
 
-enum class Shape { box, sphere, cylinder, plane, points, mesh, lattice };
+enum class Shape { box, sphere, cylinder, plane, points, mesh, polygon, lattice };
 enum class Side { inside, outside };
 enum class Outside { error, clamp };
 enum class StartPressure { zero, hydrostatic };
@@ -75,11 +75,15 @@ struct Scene {
     Vector axis;               // cylinder: along its length; any length
     double length = 0;         // cylinder
     Vector point, normal;      // plane: inside is where the normal does not point
-    std::string file;          // points: *.ply, *.vtp or *.csv; mesh: *.stl, *.obj or *.ply
-    double scale = 1;          // mesh: metres per unit of the file
-    Vector rotation;     // mesh: about x, then y, then z [degrees], after scaling; none if empty
-    Vector translation;  // mesh: after rotation [m]; none if empty
-    std::shared_ptr<const LoadedMesh> loaded;  // mesh: read when the scene is loaded
+    // points and polygon: *.ply, *.vtp or *.csv; mesh: *.stl, *.obj or *.ply
+    std::string file;
+    std::vector<Vector> points;  // polygon: corners, in either direction
+    double scale = 1;            // mesh, polygon: metres per unit of the file
+    // box: about its centre; mesh, polygon: about the origin, after scaling [degrees]. In 2D one
+    // number, in 3D about x, then y, then z. None if empty
+    Vector rotation;
+    Vector translation;                        // mesh, polygon: after rotation [m]; none if empty
+    std::shared_ptr<const LoadedMesh> loaded;  // mesh, polygon, rotated box: with the defaults
   };
   struct Fluid : Region {
     Vector velocity;                          // at rest if empty

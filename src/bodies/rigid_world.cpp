@@ -5,6 +5,7 @@
 
 #ifdef FRESHET_BULLET
 #include "bodies/body_axes.h"
+#include "scene/model/body_mesh.h"
 #include "scene/model/loaded_mesh.h"
 #include "scene/model/solid_of.h"
 #endif
@@ -99,10 +100,10 @@ struct RigidWorld::Impl {
     const bool free = b.motion == BodyMotion::free;
     if (free) out.mass = shape.mass;
     out.free = freedoms_of(b, scene.dimension());
-    if (b.shape != Shape::mesh) out.collider.shape = shape_of(b, flat, out.turn);
+    if (!is_mesh(b) && b.side == Side::outside) out.collider.shape = shape_of(b, flat, out.turn);
     else mesh(b, shape, free, out);
     const bool other_axes =
-        !flat && (!turns_freely(out.free) || (!b.inertia.empty() && b.shape != Shape::mesh));
+        !flat && (!turns_freely(out.free) || (!b.inertia.empty() && !is_mesh(b)));
     if (free && (other_axes || !b.center_of_mass.empty())) compound(b, shape, out);
     const btMatrix3x3 inertia = inertia_of(shape, btMatrix3x3(out.turn).transpose());
     for (int d = 0; d < 3; ++d) out.inertia[d] = shape.density() * inertia[d][d];
@@ -114,7 +115,7 @@ struct RigidWorld::Impl {
   void compound(const Scene::Body& b, const BodyShape& shape, Body& out) const {
     out.part = std::move(out.collider.shape);
     out.part_place.setRotation(out.turn);
-    if (b.shape != Shape::mesh) out.part_place.setOrigin(bullet(shape.middle - shape.center));
+    if (!is_mesh(b)) out.part_place.setOrigin(bullet(shape.middle - shape.center));
     if (!flat) out.turn = principal_axes(inertia_of(shape)).turn;
     auto all = std::make_unique<btCompoundShape>(false);
     all->addChildShape(btTransform(out.turn).inverse() * out.part_place, out.part.get());
@@ -136,10 +137,10 @@ struct RigidWorld::Impl {
   btVector3 gyroscopic_torque(std::size_t k, const btQuaternion& q, const btVector3& omega) const {
     return -shapes[k].density() * omega.cross(inertia_of(shapes[k], btMatrix3x3(q)) * omega);
   }
-  /// The collider of a mesh. That of a free body is the convex hull, because Bullet cannot move
-  /// concave meshes.
-  static void mesh(const Scene::Body& b, const BodyShape& shape, bool free, Body& out) {
-    const TriangleMesh& m = b.loaded->distance.mesh();
+  /// The collider of a mesh or a tank. That of a free body is the convex hull, because Bullet
+  /// cannot move concave meshes.
+  void mesh(const Scene::Body& b, const BodyShape& shape, bool free, Body& out) const {
+    const TriangleMesh m = collision_mesh(b);
     if (!free) {
       out.collider.triangles = triangles_of(m, shape.center);
       out.collider.shape =
@@ -147,7 +148,7 @@ struct RigidWorld::Impl {
       out.collider.shape->setMargin(0);
       return;
     }
-    out.turn = principal_axes(inertia_of(shape)).turn;
+    if (!flat) out.turn = principal_axes(inertia_of(shape)).turn;
     auto hull = std::make_unique<btConvexHullShape>();
     const btMatrix3x3 back = btMatrix3x3(out.turn).transpose();
     for (const Point& p : m.points) hull->addPoint(back * bullet(p - shape.center), false);
@@ -182,14 +183,14 @@ struct RigidWorld::Impl {
     if (w.shape == Shape::plane) {
       btVector3 n = in_space(w.normal).normalized();
       plane(tank ? -n : n, in_space(w.point));
-    } else if (w.shape == Shape::box && tank) {
-      box_inside(in_space(w.min), in_space(w.max));
-    } else if (w.shape == Shape::mesh) {
+    } else if (is_mesh(w)) {
       walls.emplace_back();
       walls.back().triangles = triangles_of(w.loaded->distance.mesh(), {});
       walls.back().shape =
           std::make_unique<btBvhTriangleMeshShape>(walls.back().triangles.get(), true);
       walls.back().shape->setMargin(0);
+    } else if (w.shape == Shape::box && tank) {
+      box_inside(in_space(w.min), in_space(w.max));
     } else if (!tank && w.shape != Shape::points) {
       btQuaternion turn = btQuaternion::getIdentity();
       walls.emplace_back();

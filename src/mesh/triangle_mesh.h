@@ -23,6 +23,16 @@ struct TriangleMesh {
   }
 };
 
+/// A box of twelve triangles that face outwards.
+inline TriangleMesh triangles_of_box(TriangleMesh::Point low, TriangleMesh::Point high) {
+  TriangleMesh mesh;
+  for (int k = 0; k < 8; ++k)
+    mesh.points.push_back({k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z});
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
 /// Whether this build reads *.stl and *.obj files, which needs Assimp. Every build reads *.ply.
 bool reads_meshes();
 

@@ -43,6 +43,9 @@ class Describer : public KeyVisitor {
                   const KeyDoc& d) override {
     key(n, fmt::format("number, or {} numbers", fmt::join(counts, " or ")), "", d);
   }
+  void vectors(std::string_view n, std::vector<Vector>&, const KeyDoc& d) override {
+    key(n, "list of points", "", d);
+  }
   void boolean(std::string_view n, bool& v, const KeyDoc& d) override {
     key(n, "boolean", v ? "true" : "false", d);
   }
@@ -139,6 +142,7 @@ class SchemaWriter final : public Describer {
     else if (type == "number or name")
       json = {{"oneOf", {number("number", doc), {{"enum", words_}}}}};
     else if (type.starts_with("number, or")) json = number_or_numbers(type, doc);
+    else if (type == "list of points") json = {{"type", "array"}, {"items", numbers_of(2, doc)}};
     else if (type == "list of strings")
       json = {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 2}, {"maxItems", 3}};
     else if (type == "string") json = {{"type", "string"}};

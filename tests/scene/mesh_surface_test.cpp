@@ -40,7 +40,7 @@ TEST(MeshSurface, KeepsItsDepthAtEdges) {
 
 TEST(MeshSurface, HasLayersAsDenseAsALattice) {
   const double spacing = 0.1;
-  const auto all = layers_behind(MeshDistance(ball_mesh(1, 4)), spacing, 3);
+  const auto all = layers_behind(MeshDistance(ball_mesh(1, 4)), spacing, 3, false);
   for (int layer = 0; layer < 3; ++layer) {
     const double r = 1 - (layer + 0.5) * spacing;
     const auto count = std::count_if(all.begin(), all.end(), [&](const Point& p) {
@@ -48,7 +48,8 @@ TEST(MeshSurface, HasLayersAsDenseAsALattice) {
     });
     EXPECT_NEAR(1, double(count) * spacing * spacing / (4 * 3.14159 * r * r), 0.04) << layer;
   }
-  const auto plate = layers_behind(MeshDistance(box_mesh({0, 0, 0}, {1, 1, 0.2})), spacing, 3);
+  const auto plate =
+      layers_behind(MeshDistance(box_mesh({0, 0, 0}, {1, 1, 0.2})), spacing, 3, false);
   EXPECT_NEAR(200, double(plate.size()), 20) << "room for one layer behind each face";
 }
 

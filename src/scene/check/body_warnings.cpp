@@ -47,9 +47,10 @@ Length thickness(const Scene::Body& b) {
   if (b.shape == Shape::sphere) return {"radius", 2 * b.radius};
   if (b.shape == Shape::cylinder && b.length < 2 * b.radius) return {"length", b.length};
   if (b.shape == Shape::cylinder) return {"radius", 2 * b.radius};
-  if (b.shape == Shape::mesh) {
-    const auto sides = b.loaded->distance.high() - b.loaded->distance.low();
-    return {"scale", std::min({sides.x, sides.y, sides.z})};
+  if (b.shape == Shape::polygon || b.shape == Shape::mesh) {
+    const auto sides = sides_of(*b.loaded);
+    const double least = std::min(sides.x, sides.y);
+    return {"scale", b.shape == Shape::polygon ? least : std::min(least, sides.z)};
   }
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t d = 0; d < b.min.size(); ++d) least = std::min(least, b.max[d] - b.min[d]);
@@ -93,7 +94,7 @@ std::vector<Diagnostic> body_warnings(const Scene& s, const Derived& d) {
     free |= b.motion == BodyMotion::free;
     const double reached = wall_layers(s, WallMethod::adami2012) * d.spacing;
     const Length thick = thickness(b);
-    if (layered && has_fluid(s) && thick.value < reached * (1 - 1e-6))
+    if (layered && has_fluid(s) && b.side == Side::outside && thick.value < reached * (1 - 1e-6))
       warn(at + thick.key,
            fmt::format(
                "{} is {:.4g} m thick, and \"adami2012\" needs {:.4g} m for layers of body "

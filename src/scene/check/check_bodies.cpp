@@ -194,6 +194,7 @@ bool check_moved(const Scene& s, const Scene::Body& b, const std::string& at, Fi
 }
 
 bool check_thickness(const Scene& s, const Scene::Body& b, const std::string& at, Findings& out) {
+  if (b.side == Side::inside) return true;  // the particles of a tank lie around its shape
   const double spacing = s.particles.spacing;
   const auto thick = [&](const char* key, double length, double least) {
     if (length >= least * (1 - 1e-6)) return true;
@@ -294,13 +295,19 @@ bool check_body(const Scene& s, std::size_t k, Findings& out) {
   const Scene::Body& b = s.body[k];
   const std::string at = at_body(k);
   if (b.shape == Shape::plane || b.shape == Shape::points || b.shape == Shape::lattice) {
-    out.error(at + "shape",
-              fmt::format("body.shape is \"{}\"; a body must be a box, sphere, cylinder or mesh; "
-                          "choose one",
-                          shape_words[int(b.shape)]));
+    out.error(
+        at + "shape",
+        fmt::format("body.shape is \"{}\"; a body must be a box, sphere, cylinder, polygon or "
+                    "mesh; choose one",
+                    shape_words[int(b.shape)]));
     return false;
   }
-  out.unused(at + "side", "body.side", "the fluid is always outside a body; remove it");
+  if (b.side == Side::inside && b.motion == BodyMotion::free) {
+    out.error(at + "side",
+              "body.side is \"inside\", and body.motion is \"free\": a tank can be \"fixed\" or "
+              "\"moved\" only; choose one, or enclose the fluid by several free bodies on joints");
+    return false;
+  }
   check_motion_keys(b, at, out);
   const bool turns = check_axis(s, at + "turn_axis", "body.turn_axis", b.turn_axis, out);
   if (!check_region(s, {b, at, "body"}, out) || !check_thickness(s, b, at, out) ||

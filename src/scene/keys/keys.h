@@ -27,7 +27,7 @@ using Words = std::span<const char* const>;
 inline constexpr const char* axes_words[] = {"none", "x", "y", "xy", "z", "xz", "yz", "xyz"};
 // Only a fluid has the last one, a lattice.
 inline constexpr const char* shape_words[] = {"box",    "sphere", "cylinder", "plane",
-                                              "points", "mesh",   "lattice"};
+                                              "points", "mesh",   "polygon",  "lattice"};
 inline constexpr const char* side_words[] = {"inside", "outside"};
 inline constexpr const char* outside_words[] = {"error", "clamp"};
 inline constexpr const char* pressure_words[] = {"zero", "hydrostatic"};
@@ -85,6 +85,8 @@ class KeyVisitor {
   /// One number in 2D, one of `counts` in 3D; `value` is empty if the key is not set.
   virtual void components(std::string_view name, Vector& value, std::span<const std::size_t> counts,
                           const KeyDoc& doc) = 0;
+  /// A list of vectors; `value` is empty if the key is not set.
+  virtual void vectors(std::string_view name, std::vector<Vector>& value, const KeyDoc& doc) = 0;
   virtual void boolean(std::string_view name, bool& value, const KeyDoc& doc) = 0;
   virtual void counts(std::string_view name, Counts& value, const KeyDoc& doc) = 0;
   /// A number, or `word`, which sets `is_word`.

@@ -42,6 +42,7 @@ class SceneReader final : public KeyVisitor {
   void numbers(std::string_view name, Vector& value, std::size_t count, const KeyDoc& doc) override;
   void components(std::string_view name, Vector& value, std::span<const std::size_t> counts,
                   const KeyDoc& doc) override;
+  void vectors(std::string_view name, std::vector<Vector>& value, const KeyDoc& doc) override;
   void boolean(std::string_view name, bool& value, const KeyDoc& doc) override;
   void counts(std::string_view name, Counts& value, const KeyDoc& doc) override;
   void number_or_word(std::string_view name, double& value, bool& is_word, const char* word,

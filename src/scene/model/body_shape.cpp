@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "scene/model/loaded_mesh.h"
+#include "scene/model/region_rotation.h"
 #include "scene/model/solid_of.h"
 
 namespace freshet {
@@ -95,11 +96,50 @@ BodyShape mesh(const TriangleMesh& m) {
   return b;
 }
 
+/// Sums over the triangles that the sides form with one corner.
+BodyShape polygon(const Outline& x) {
+  BodyShape b;
+  Point first{};
+  double second[3][3] = {};
+  for (std::size_t k = 1; k + 1 < x.size(); ++k) {
+    const auto p = x[k] - x[0], q = x[k + 1] - x[0], sum = p + q;
+    const double area = (p.x * q.y - p.y * q.x) / 2;
+    b.volume += area;
+    first += area / 3 * Point{sum.x, sum.y, 0};
+    second[0][0] += area / 12 * (p.x * p.x + q.x * q.x + sum.x * sum.x);
+    second[1][1] += area / 12 * (p.y * p.y + q.y * q.y + sum.y * sum.y);
+  }
+  const Point c = first / b.volume;
+  second[0][0] -= b.volume * c.x * c.x;
+  second[1][1] -= b.volume * c.y * c.y;
+  b.center = Point{x[0].x, x[0].y, 0} + c;
+  for (const auto& p : x) b.reach = std::max(b.reach, norm(Point{p.x, p.y, 0} - b.center));
+  set_inertia(b, second);  // zz needs xx and yy only
+  return b;
+}
+
+/// A box that is turned about its centre.
+BodyShape turned_box(const Scene::Body& r) {
+  BodyShape b = box(r);
+  if (r.min.size() == 2) return b;
+  const RegionRotation turned(r.rotation);
+  const double diagonal[] = {b.inertia[0][0], b.inertia[1][1], b.inertia[2][2]};
+  Point axes[] = {turned(Point{1, 0, 0}), turned(Point{0, 1, 0}), turned(Point{0, 0, 1})};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      b.inertia[i][j] = 0;
+      for (int k = 0; k < 3; ++k)
+        b.inertia[i][j] += diagonal[k] * component(axes[k], i) * component(axes[k], j);
+    }
+  return b;
+}
+
 BodyShape of_even_density(const Scene::Body& r) {
   if (r.shape == Shape::sphere) return ball(r);
   if (r.shape == Shape::cylinder) return cylinder(r);
   if (r.shape == Shape::mesh) return mesh(r.loaded->distance.mesh());
-  return box(r);
+  if (r.shape == Shape::polygon) return polygon(r.loaded->outline);
+  return is_turned_box(r) ? turned_box(r) : box(r);
 }
 
 /// The tensor of the key `inertia`.

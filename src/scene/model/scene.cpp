@@ -138,11 +138,11 @@ Scene with_defaults(Scene s) {
   if (n == 3) {
     for (Scene::Inlet& in : s.inlet) turn_up(in);
     for (Scene::Counter& c : s.counter) turn_up(c);
-    for (Scene::Fluid& f : s.fluid) remember_mesh(f, s.particles.spacing);
-    for (Scene::Wall& w : s.wall)  // a sheet keeps its holes
-      remember_mesh(w, w.side == Side::inside ? s.particles.spacing : 0);
-    for (Scene::Body& b : s.body) remember_mesh(b, s.particles.spacing);
   }
+  for (Scene::Fluid& f : s.fluid) remember_mesh(f, n, s.particles.spacing);
+  for (Scene::Wall& w : s.wall)  // a sheet keeps its holes
+    remember_mesh(w, n, w.side == Side::inside ? s.particles.spacing : 0);
+  for (Scene::Body& b : s.body) remember_mesh(b, n, s.particles.spacing);
   return s;
 }
 

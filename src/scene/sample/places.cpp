@@ -39,12 +39,13 @@ Box box_around(const Scene& s, const Scene::Fluid& f) {
     for (double& component : turned.normal) component = -component;
     return box_below(s, turned);
   }
-  if (f.shape == Shape::box) return {f.min, f.max};
-  if (f.shape == Shape::plane) return box_below(s, f);
-  if (f.shape == Shape::mesh) {
+  if (is_mesh(f)) {
     const auto low = f.loaded->distance.low(), high = f.loaded->distance.high();
+    if (s.dimension() == 2) return {{low.x, low.y}, {high.x, high.y}};
     return {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
   }
+  if (f.shape == Shape::box) return {f.min, f.max};
+  if (f.shape == Shape::plane) return box_below(s, f);
   Box box{f.center, f.center};
   double axis2 = 0;
   for (const double a : f.axis) axis2 += a * a;
@@ -102,9 +103,7 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
       low_(D, -INFINITY),
       high_(D, INFINITY),
       wall_points_(0.499 * spacing_) {
-  const bool whole = f.shape == Shape::lattice || f.shape == Shape::points ||
-                     (f.shape == Shape::box && f.side == Side::inside);
-  if (!whole) shape_.emplace(f);
+  if (!is_block(f) && f.shape != Shape::points) shape_.emplace(f);
   shifts_ = periodic_shifts<D>(s);
   const bool of_file = f.shape == Shape::points, as_given = f.shape == Shape::lattice || of_file;
   margin_ = of_file ? 0 : 0.49 * spacing_;

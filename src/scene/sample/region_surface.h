@@ -9,7 +9,7 @@ namespace freshet {
 template <int D> class RegionSurface {
  public:
   explicit RegionSurface(const Scene::Region& region) {
-    if (is_solid(region.shape)) solid_ = solid_of<D>(region);
+    if (is_solid(region)) solid_ = solid_of<D>(region);
     else mesh_ = region.loaded;
     fluid_inside_ = region.side == Side::inside;
   }
@@ -17,13 +17,15 @@ template <int D> class RegionSurface {
   /// The distance of x from the surface [m]: positive on the fluid's side, negative on the other. A
   /// mesh with holes has no other side.
   double distance(Vec<D, double> x) const {
-    if constexpr (D == 3)
-      if (mesh_) {
-        if (!mesh_->condition.closed()) return mesh_->distance.nearest(x).distance;
-        const double outside = mesh_->distance.signed_distance(x);
-        return fluid_inside_ ? -outside : outside;
-      }
-    return solid_.distance(x);
+    if (!mesh_) return solid_.distance(x);
+    if constexpr (D == 3) {
+      if (!mesh_->condition.closed()) return mesh_->distance.nearest(x).distance;
+      const double outside = mesh_->distance.signed_distance(x);
+      return fluid_inside_ ? -outside : outside;
+    } else {
+      const double away = mesh_->distance.nearest({x.x, x.y, 0}).distance;
+      return encloses(mesh_->outline, x) == fluid_inside_ ? away : -away;
+    }
   }
 
  private:

@@ -2,9 +2,8 @@
 #include "scene/sample/sample_bodies.h"
 
 #include "scene/model/loaded_mesh.h"
-#include "scene/sample/mesh_surface.h"
+#include "scene/sample/region_layers.h"
 #include "scene/sample/sample_walls.h"
-#include "scene/sample/surface.h"
 
 namespace freshet {
 namespace {
@@ -15,10 +14,14 @@ template <int D> std::vector<Vec<D, double>> layer_of(const Scene& s, const Scen
   const double spacing = s.particles.spacing, deeper = single_layer_distance(s) - spacing;
   if constexpr (D == 3)
     if (body.shape == Shape::mesh)
-      return points_behind(body.loaded->distance, spacing, spacing / 2 + deeper);
+      return points_behind(body.loaded->distance, spacing,
+                           (spacing / 2 + deeper) * (body.side == Side::inside ? -1 : 1));
+  if constexpr (D == 2)
+    if (body.shape == Shape::polygon) return layers_of_polygon(body, spacing, 1, deeper);
   const auto solid = solid_of<D>(body);
   auto points = Surface<D>(solid, spacing, 1).points({}, {}, {});
   for (auto& x : points) x += -deeper * solid.normal(x);
+  turn_with<D>(body, points);
   return points;
 }
 
@@ -27,8 +30,14 @@ template <int D> std::vector<Vec<D, double>> layers_of(const Scene& s, const Sce
   const double spacing = s.particles.spacing;
   const int layers = wall_layers(s, WallMethod::adami2012);
   if constexpr (D == 3)
-    if (body.shape == Shape::mesh) return layers_behind(body.loaded->distance, spacing, layers);
-  return Surface<D>(solid_of<D>(body), spacing, layers).points({}, {}, {});
+    if (body.shape == Shape::mesh)
+      return layers_behind(body.loaded->distance, spacing, layers, body.side == Side::inside);
+  if constexpr (D == 2)
+    if (body.shape == Shape::polygon) return layers_of_polygon(body, spacing, layers, 0);
+  const auto solid = solid_of<D>(body);
+  auto points = Surface<D>(solid, spacing, layers).points({}, {}, {});
+  turn_with<D>(body, points);
+  return points;
 }
 
 }  // namespace
