@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 struct BenchArguments {
   SceneArguments scene;
   double particles = 0;
-  std::string solver, compare;
+  std::string compare;
   std::int64_t steps = 0;
   int repeats = 3;
   bool json = false, markdown = false;
@@ -56,9 +56,8 @@ double ns_per_particle(const VerbTiming& v) {
   return v.targets ? 1e9 * v.seconds / double(v.targets) : 0;
 }
 
-Scene bench_scene(const BenchArguments& a, const std::vector<Override>& extra) {
-  auto overrides = a.scene.overrides();
-  if (!a.solver.empty()) overrides.emplace_back("solver.name", fmt::format("\"{}\"", a.solver));
+Scene bench_scene(const BenchArguments& a, std::vector<Override> overrides,
+                  const std::vector<Override>& extra) {
   overrides.insert(overrides.end(), extra.begin(), extra.end());
   const auto file = find_scene(a.scene.name);
   if (a.particles > 0) {
@@ -202,10 +201,13 @@ void bench(const BenchArguments& a) {
     key = a.compare.substr(0, equals);
     values = split(a.compare.substr(equals + 1));
   }
+  const SceneChange change = a.scene.change();
+  print_diagnostics(change.dropped);
   std::vector<Scene> scenes;
   for (const std::string& value : values)
-    scenes.push_back(bench_scene(
-        a, key.empty() ? std::vector<Override>{} : std::vector<Override>{{key, value}}));
+    scenes.push_back(
+        bench_scene(a, change.overrides,
+                    key.empty() ? std::vector<Override>{} : std::vector<Override>{{key, value}}));
   std::vector<Measured> all(scenes.size());
   for (int repeat = 0; repeat < a.repeats; ++repeat)  // in turn, so that noise meets all alike
     for (std::size_t k = 0; k < scenes.size(); ++k)
@@ -230,13 +232,13 @@ void add_bench(Program& program) {
   a->scene.add_to(command);
   command.option("--particles", a->particles, "about this many particles instead of the scene's")
       .range(1.0, 2e9);
-  command.option("--solver", a->solver, "another solver than the scene's");
   command.option("--steps", a->steps, "this many steps instead of the scene's")
       .range(1, 1000000000);
   command.option("--repeats", a->repeats, "take the fastest of this many (default: 3)")
       .range(1, 1000);
   const Option compare =
-      command.option("--compare", a->compare, "KEY=A,B: one measurement per value, taken in turn");
+      command.option("--compare", a->compare, "one measurement per value of a key, taken in turn")
+          .value("KEY=A,B");
   const Option json = command.flag("--json", a->json, "print JSON");
   command.flag("--markdown", a->markdown, "print the comparison as a table in Markdown")
       .needs(compare)

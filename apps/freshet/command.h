@@ -10,33 +10,42 @@
 
 namespace freshet::cli {
 
-/// KEY=VALUE, each as an override.
-std::vector<Override> overrides_of(const std::vector<std::string>& set);
+/// The keys that a command sets and removes.
+struct KeyArguments {
+  std::vector<std::string> set;  // KEY=VALUE
+  std::vector<std::string> unset;
+
+  /// `keys`: which keys, for the help text.
+  void add_to(const Command& command, const std::string& keys = "a key of the scene");
+  /// Keys are removed before others are set.
+  std::vector<Override> overrides() const;
+};
 
 /// What a command changes in a scene, and what it computes with.
-struct ChangeArguments {
-  std::vector<std::string> set;  // KEY=VALUE
+struct ChangeArguments : KeyArguments {
   std::string isa;
   int threads = 0;
 
   void add_to(const Command& command);
-  std::vector<Override> overrides() const { return overrides_of(set); }
   Execution execution() const { return {threads, isa}; }
 };
 
 /// The scene of a command with what is changed in it.
 struct SceneArguments : ChangeArguments {
-  std::string name, backend;
+  std::string name, backend, solver;
 
   void add_to(const Command& command);
+  /// What the arguments change, and the keys that --solver drops.
+  SceneChange change() const;
+  /// The changed scene; prints the keys that --solver drops.
   Scene load() const;
-  std::vector<Override> overrides() const;
 };
 
 /// Each adds its subcommand to the program.
 void add_run(Program& program, const std::vector<std::string>& command_line);
 void add_resume(Program& program, const std::vector<std::string>& command_line);
 void add_render(Program& program);
+void add_new(Program& program);
 void add_check(Program& program);
 void add_info(Program& program);
 void add_scenes(Program& program);
@@ -45,14 +54,19 @@ void add_plot(Program& program);
 void add_validate(Program& program);
 void add_schema(Program& program);
 void add_completion(Program& program);
+void add_complete(Program& program);
+void add_manual(Program& program);
 
-/// The file of a scene: a file of that name, else the scene that comes along under it.
+/// The file of a scene: a file of that name, else the bundled scene.
 std::filesystem::path find_scene(const std::string& name);
 /// Where what comes along may lie, `name` below a folder: installed beside the program, or in the
 /// sources above a build tree.
 std::vector<std::filesystem::path> folders_that_come_along(const std::string& name);
-/// The scenes that come along, by name.
+/// The bundled scenes, by name.
 std::vector<std::pair<std::string, std::filesystem::path>> scenes_that_come_along();
+
+/// The bundled validation cases.
+std::vector<std::string> case_names();
 
 /// The options and overrides of a diagnostic as the command line spells them.
 Diagnostic in_command_line_words(Diagnostic diagnostic);

@@ -22,6 +22,9 @@ class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
   Option required() const;
+  /// What the value is, for the help text and for completion: SCENE, DIR (of a run), CASE, SOLVER,
+  /// KEY, KEY=VALUE, FILE, FOLDER. The name of a positional argument is that of its value.
+  Option value(const std::string& name) const;
   Option one_of(const std::vector<std::string>& values) const;
   Option range(int min, int max) const;
   Option at_least(int min) const;
@@ -37,6 +40,9 @@ class Option {
   Option excludes(const Option& other) const;
 
  private:
+  /// `fault` returns what is wrong with a value, or nothing.
+  Option check(const std::function<std::string(const std::string&)>& fault) const;
+
   CLI::Option* option_;
 };
 
@@ -73,14 +79,17 @@ class Program {
   /// Throws Error (kind scene) for an unknown command.
   int run(int argc, char** argv);
 
-  /// The commands with their long options.
   struct OptionHelp {
-    std::string name, description;
+    std::string name;   ///< "--set", or "SCENE" for a positional argument
+    std::string value;  ///< see Option::value; "a|b" for a choice, empty for a flag
+    std::string description;
+    bool repeatable = false;
   };
   struct CommandHelp {
-    std::string name, description;
-    std::vector<OptionHelp> options;
+    std::string name, description, footer;
+    std::vector<OptionHelp> options, positionals;
   };
+  /// The commands with their arguments.
   std::vector<CommandHelp> help() const;
 
  private:

@@ -1,61 +1,62 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
+/// The completions of shells. They ask `freshet complete` for the words, so that all offer the
+/// same.
 #include "command.h"
 #include "print.h"
 
 namespace freshet::cli {
 namespace {
 
-std::vector<std::string> options_of(const Program::CommandHelp& command) {
-  std::vector<std::string> names;
-  for (const auto& option : command.options) names.push_back("--" + option.name);
-  return names;
+constexpr const char* bash = R"sh(_freshet() {
+  local IFS=$'\n' word lines
+  COMPREPLY=()
+  lines=$(freshet complete -- "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null)
+  for word in $lines; do
+    if [ "$word" = "<files>" ]; then
+      compopt -o filenames 2>/dev/null
+      COMPREPLY+=($(compgen -f -- "${COMP_WORDS[COMP_CWORD]#=}"))
+    else
+      case "$word" in *=) compopt -o nospace 2>/dev/null ;; esac
+      COMPREPLY+=("${word%%$'\t'*}")
+    fi
+  done
 }
-
-std::string bash(const Program& program) {
-  std::string names, cases;
-  for (const auto& command : program.help()) {
-    names += command.name + " ";
-    cases +=
-        fmt::format("    {}) words=\"{}\" ;;\n", command.name, fmt::join(options_of(command), " "));
-  }
-  return fmt::format(R"sh(_freshet() {{
-  local current="${{COMP_WORDS[COMP_CWORD]}}" words
-  if [ "$COMP_CWORD" -eq 1 ]; then
-    COMPREPLY=($(compgen -W "{}--help --version" -- "$current"))
-    return
-  fi
-  case "${{COMP_WORDS[1]}}" in
-{}  esac
-  if [ "$COMP_CWORD" -eq 2 ] && [ "${{COMP_WORDS[1]}}" != plot ]; then
-    words="$words $(freshet scenes --names 2>/dev/null)"
-  fi
-  COMPREPLY=($(compgen -W "$words" -- "$current") $(compgen -f -- "$current"))
-}}
 complete -F _freshet freshet
-)sh",
-                     names, cases);
-}
+)sh";
 
-std::string zsh(const Program& program) {
-  return "autoload -U +X bashcompinit && bashcompinit\n" + bash(program);
+constexpr const char* zsh = R"sh(#compdef freshet
+_freshet() {
+  local line
+  local -a words_after
+  words_after=("${(@)words[2,CURRENT]}")
+  for line in "${(@f)$(freshet complete -- "${words_after[@]}" 2>/dev/null)}"; do
+    case "$line" in
+      '') ;;
+      '<files>') _files ;;
+      *=) compadd -S '' -- "$line" ;;
+      *) compadd -- "${line%%$'\t'*}" ;;
+    esac
+  done
 }
+if [ "$funcstack[1]" = "_freshet" ]; then
+  _freshet "$@"
+else
+  compdef _freshet freshet
+fi
+)sh";
 
-std::string fish(const Program& program) {
-  std::string out;
-  for (const auto& command : program.help()) {
-    out += fmt::format("complete -c freshet -n __fish_use_subcommand -a {} -d '{}'\n", command.name,
-                       command.description);
-    for (const auto& option : command.options)
-      out += fmt::format("complete -c freshet -n '__fish_seen_subcommand_from {}' -l {} -d '{}'\n",
-                         command.name, option.name, option.description);
-  }
-  return out +
-         "complete -c freshet -n '__fish_seen_subcommand_from run check info bench' "
-         "-a '(freshet scenes --names)'\n";
-}
+constexpr const char* fish = R"sh(function __freshet_words
+  set -l before (commandline -opc)
+  for line in (freshet complete -- $before[2..-1] (commandline -ct) 2>/dev/null)
+    if test "$line" = "<files>"
+      __fish_complete_path (commandline -ct)
+    else
+      echo $line
+    end
+  end
+end
+complete -c freshet -f -a '(__freshet_words)'
+)sh";
 
 }  // namespace
 
@@ -64,8 +65,8 @@ void add_completion(Program& program) {
   const Command command = program.add("completion", "Print the completion of a shell");
   command.option("SHELL", *shell, "bash, zsh or fish").required().one_of({"bash", "zsh", "fish"});
   command.footer("Example:\n  source <(freshet completion bash)");
-  command.action([shell, &program] {
-    put(*shell == "bash" ? bash(program) : *shell == "zsh" ? zsh(program) : fish(program));
+  command.action([shell] {
+    put(*shell == "bash" ? bash : *shell == "zsh" ? zsh : fish);
     return done;
   });
 }

@@ -108,8 +108,8 @@ std::string time_step_row(const Scene& s, const Derived& d) {
 }
 
 /// Pictures are at most as large as their pixels.
-std::string disk_row(const Scene& s, const Derived& d) {
-  const double pictures = 3.0 * double(s.picture.width * s.picture.height) * double(d.frames + 1);
+std::string disk_row(const Derived& d) {
+  const double pictures = 3.0 * double(d.picture_width * d.picture_height) * double(d.frames + 1);
   std::string text =
       fmt::format("at most {}B for {} frames and the result", short_number(pictures), d.frames);
   if (d.data_frames > 0)
@@ -153,7 +153,7 @@ void info(const SceneArguments& a) {
       fmt::format("about {:.2g} s on this machine ({:.3g} ms a step, measured)",
                   cost.seconds_per_step * double(s.steps()), 1e3 * cost.seconds_per_step));
   row("memory", fmt::format("{}B", short_number(peak_memory())));
-  row("disk", disk_row(s, d) + fmt::format("; {}B for two checkpoints",
+  row("disk", disk_row(d) + fmt::format("; {}B for two checkpoints",
                                            short_number(2 * cost.checkpoint_bytes)));
   print_diagnostics(scene_warnings(s));
 }

@@ -16,11 +16,13 @@ int run_program(int argc, char** argv) {
   Program program("Freshet: smoothed particle hydrodynamics", "freshet",
                   "freshet " FRESHET_VERSION);
   program.footer(
-      "Examples:\n  freshet run article\n  freshet run my_scene.toml --set time.end=1\n"
+      "Examples:\n  freshet run article\n  freshet new dam_break_2d my_scene.toml\n"
+      "  freshet run my_scene.toml --set time.end=1\n"
       "  freshet scenes");
   add_run(program, {argv, argv + argc});
   add_resume(program, {argv, argv + argc});
   add_render(program);
+  add_new(program);
   add_check(program);
   add_info(program);
   add_scenes(program);
@@ -29,6 +31,8 @@ int run_program(int argc, char** argv) {
   add_validate(program);
   add_schema(program);
   add_completion(program);
+  add_complete(program);
+  add_manual(program);
   return program.run(argc, argv);
 }
 

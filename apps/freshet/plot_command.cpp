@@ -37,12 +37,14 @@ void add_plot(Program& program) {
   command.option("DIR", a->run, "the folder of a run").required();
   command
       .option("--columns", a->columns,
-              "columns of observables.csv to draw, with commas between them (default: all that "
-              "matter)")
+              "columns to draw, with commas between them, of any table over time: \"speed max\", "
+              "\"GAUGE: distance\", \"BODY: y\" (default: those of observables.csv that matter)")
       .delimiter(',');
-  command.option("--output", a->output,
-                 "FILE.svg, FILE.png, or a folder for both (default: DIR/plots)");
-  command.option("--against", a->against, "other runs to compare it with (at most 3)");
+  command
+      .option("--output", a->output,
+              "FILE.svg, FILE.png, or a folder for both (default: DIR/plots)")
+      .value("FILE");
+  command.option("--against", a->against, "other runs to compare it with (at most 3)").value("DIR");
   command.footer(
       "Examples:\n  freshet plot runs/dam_break_2d\n"
       "  freshet plot runs/a --against runs/b --columns \"speed max,total energy\" "

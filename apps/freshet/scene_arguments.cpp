@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "command.h"
+#include "freshet/solver_method.h"
+#include "freshet/suggest.h"
 #include "print.h"
 
 namespace freshet::cli {
@@ -18,16 +22,22 @@ std::vector<fs::path> folders_that_come_along(const std::string& name) {
   return all;
 }
 
-void ChangeArguments::add_to(const Command& command) {
-  command.option("--set", set, "KEY=VALUE: change a key of the scene (TOML, else a string)")
+void KeyArguments::add_to(const Command& command, const std::string& keys) {
+  command.option("--set", set, fmt::format("change {} (VALUE is TOML, else a string)", keys))
+      .value("KEY=VALUE")
       .repeatable_value();
-  command.option("--threads", threads, "threads of the cpu backend (default: all)").at_least(1);
-  command.option("--isa", isa, "instruction set of the cpu backend (default: the best)")
-      .one_of({"plain", "sse42", "avx2", "avx512"});
+  command.option("--unset", unset, fmt::format("remove {}, so that its default applies", keys))
+      .value("KEY")
+      .repeatable_value();
 }
 
-std::vector<Override> overrides_of(const std::vector<std::string>& set) {
+std::vector<Override> KeyArguments::overrides() const {
   std::vector<Override> all;
+  for (const std::string& key : unset) {
+    if (key.find('=') != std::string::npos)
+      throw Error(Error::Kind::scene, "--unset " + key, "write a key without a value");
+    all.emplace_back(key, std::nullopt);
+  }
   for (const std::string& pair : set) {
     const auto equals = pair.find('=');
     if (equals == std::string::npos)
@@ -37,19 +47,37 @@ std::vector<Override> overrides_of(const std::vector<std::string>& set) {
   return all;
 }
 
+void ChangeArguments::add_to(const Command& command) {
+  KeyArguments::add_to(command);
+  command.option("--threads", threads, "threads of the cpu backend (default: all)").at_least(1);
+  command.option("--isa", isa, "instruction set of the cpu backend (default: the best)")
+      .one_of({"plain", "sse42", "avx2", "avx512"});
+}
+
 void SceneArguments::add_to(const Command& command) {
   command.option("SCENE", name, "a scene file, or the name of a bundled scene").required();
+  std::vector<std::string> solvers;
+  for (const SolverMethod* m : solver_methods()) solvers.emplace_back(m->name);
+  command
+      .option("--solver", solver,
+              "another solver than the scene's; keys that it does not use are dropped")
+      .one_of(solvers);
   command.option("--backend", backend, "the backend that computes").one_of({"cpu", "reference"});
   ChangeArguments::add_to(command);
 }
 
-std::vector<Override> SceneArguments::overrides() const {
-  auto all = ChangeArguments::overrides();
+SceneChange SceneArguments::change() const {
+  auto all = overrides();
   if (!backend.empty()) all.emplace_back("solver.backend", fmt::format("\"{}\"", backend));
-  return all;
+  if (solver.empty()) return {std::move(all), {}};
+  return change_solver(find_scene(name), solver, all);
 }
 
-Scene SceneArguments::load() const { return load_scene(find_scene(name), overrides()); }
+Scene SceneArguments::load() const {
+  const SceneChange c = change();
+  print_diagnostics(c.dropped);
+  return load_scene(find_scene(name), c.overrides);
+}
 
 std::vector<std::pair<std::string, fs::path>> scenes_that_come_along() {
   std::vector<std::pair<std::string, fs::path>> all;
@@ -69,16 +97,21 @@ std::vector<std::pair<std::string, fs::path>> scenes_that_come_along() {
 fs::path find_scene(const std::string& name) {
   std::error_code ec;
   if (fs::is_regular_file(name, ec)) return name;
-  std::string known;
+  std::set<std::string, std::less<>> known;
   for (const auto& [scene, file] : scenes_that_come_along()) {
     if (scene == name) return file;
-    known += (known.empty() ? "" : ", ") + scene;
+    known.insert(scene);
   }
-  if (fs::exists(name, ec)) return name;  // a folder, say: loading it tells what is wrong
-  throw Error(
-      Error::Kind::scene, name,
-      fmt::format("no such file, and no scene of that name comes along ({}); check the path",
-                  known));
+  if (fs::exists(name, ec)) return name;  // a folder, for example: loading it reports the error
+  const std::string guess = nearest(name, known);
+  throw Error(Error::Kind::scene, name,
+              guess.empty()
+                  ? fmt::format("no such file, and no bundled scene of that name ({}); "
+                                "check the path",
+                                fmt::join(known, ", "))
+                  : fmt::format("no such file, and no bundled scene of that name; did you "
+                                "mean {}? `freshet scenes` lists them",
+                                guess));
 }
 
 namespace {
@@ -92,6 +125,7 @@ std::string command_line_of(const std::string& option) {
 
 Diagnostic in_command_line_words(Diagnostic d) {
   if (d.place.starts_with("override ")) d.place.replace(0, 9, "--set ");
+  if (d.place.starts_with("removal ")) d.place.replace(0, 8, "--unset ");
   if (d.place.starts_with("option ")) d.place.replace(0, 7, "--");
   for (const std::string& option : d.options) {
     const std::string quoted = "`" + option + "`";

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <fstream>
+#include <set>
 
 #include "command.h"
 #include "freshet/simulation.h"
+#include "freshet/suggest.h"
 #include "print.h"
 
 namespace freshet::cli {
@@ -17,7 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ValidateArguments {
-  std::vector<std::string> cases, solvers, set;
+  KeyArguments keys;
+  std::vector<std::string> cases, solvers;
   std::vector<double> resolutions;
   std::string report, output = "runs/validation";
   int jobs = 1;
@@ -30,6 +33,16 @@ std::vector<ValidationCase> cases_that_come_along() {
   throw Error(Error::Kind::scene, "",
               "no validation cases come along; is Freshet installed whole?");
 }
+
+}  // namespace
+
+std::vector<std::string> case_names() {
+  std::vector<std::string> names;
+  for (const ValidationCase& c : cases_that_come_along()) names.push_back(c.name);
+  return names;
+}
+
+namespace {
 
 /// Those that are asked for: by name, or a folder with a case.toml.
 std::vector<ValidationCase> chosen(const ValidateArguments& a) {
@@ -46,9 +59,13 @@ std::vector<ValidationCase> chosen(const ValidateArguments& a) {
       names.push_back(c.name);
       if (c.name == name) found.push_back(std::move(c));
     }
-    if (std::find(names.begin(), names.end(), name) == names.end())
-      throw Error(Error::Kind::scene, name,
-                  fmt::format("no case of that name; there are {}", fmt::join(names, ", ")));
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    const std::string guess =
+        nearest(name, std::set<std::string, std::less<>>(names.begin(), names.end()));
+    throw Error(Error::Kind::scene, name,
+                guess.empty()
+                    ? fmt::format("no case of that name; there are {}", fmt::join(names, ", "))
+                    : fmt::format("no case of that name; did you mean {}?", guess));
   }
   return found;
 }
@@ -97,7 +114,7 @@ int validate_with(const ValidateArguments& a) {
   options.cases = chosen(a);
   options.solvers = a.solvers;
   options.resolutions = a.resolutions;
-  options.overrides = overrides_of(a.set);
+  options.overrides = a.keys.overrides();
   options.resume = a.resume;
   options.run = !a.measure_only;
   options.short_form = a.short_form;
@@ -132,26 +149,26 @@ void add_validate(Program& program) {
       program.add("validate", "Compare simulations with experiments and closed forms");
   command.option("CASE", a->cases, "cases to run (none: list them), or folders of them");
   command.flag("--all", a->all, "all cases");
-  command.option("--solver", a->solvers, "these solvers only").repeatable();
+  command.option("--solver", a->solvers, "these solvers only").value("SOLVER").repeatable();
   command
       .option("--resolution", a->resolutions,
               "other values of particles.spacing [m], or of the key that the case varies")
       .repeatable()
       .positive();
-  command
-      .option("--set", a->set,
-              "KEY=VALUE: change a key of all scenes; the bounds stay those of the cases")
-      .repeatable_value();
+  a->keys.add_to(command, "a key of all scenes");
   command.flag("--short", a->short_form, "coarser, with fewer solvers: minutes for all");
   command.flag("--resume", a->resume,
                "keep the finished runs of the same scenes in --output, and resume stopped ones");
   command.flag("--measure-only", a->measure_only, "measure the runs in --output, and run nothing");
   command.option("--jobs", a->jobs, "runs at a time, one thread each (default: one, all threads)")
       .at_least(1);
-  command.option("--output", a->output, "the folder of the runs (default: runs/validation)");
-  command.option("--report", a->report, "folder for index.html, validation.json and validation.md");
+  command.option("--output", a->output, "the folder of the runs (default: runs/validation)")
+      .value("FOLDER");
+  command.option("--report", a->report, "folder for index.html, validation.json and validation.md")
+      .value("FOLDER");
   command.flag("--json", a->json, "print the results as JSON");
   command.footer(
+      "The bounds stay those of the cases, whatever --set and --unset change.\n"
       "The exit code is 1 where a bound is missed, or met, against the expectation of the case.\n"
       "Examples:\n  freshet validate\n"
       "  freshet validate dam_break_front --solver dfsph\n"

@@ -15,15 +15,28 @@
 
 namespace freshet {
 
-#ifdef FRESHET_MUPARSER
-
 namespace {
+
+bool is_beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
+
+}  // namespace
 
 std::string variable_of(const std::string& column) {
   std::string name = column;
   for (char& c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+    if (!std::isalnum(static_cast<unsigned char>(c)) && !is_beyond_ascii(c)) c = '_';
   return name;
+}
+
+#ifdef FRESHET_MUPARSER
+
+namespace {
+
+/// The characters of variables: those of muParser, and letters of any alphabet in UTF-8.
+std::string name_characters(const mu::Parser& parser) {
+  std::string all = parser.ValidNameChars();
+  for (int byte = 0x80; byte <= 0xFF; ++byte) all += static_cast<char>(byte);
+  return all;
 }
 
 }  // namespace
@@ -35,6 +48,7 @@ std::vector<double> evaluate(const std::string& formula, const Table& table,
   };
   if (const std::string why = formula_error(formula); !why.empty()) fail(why);
   mu::Parser parser;
+  parser.DefineNameChars(name_characters(parser).c_str());
   parser.DefineConst("pi", std::numbers::pi);
   std::vector<const Column*> columns;
   std::string names;

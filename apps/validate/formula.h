@@ -7,8 +7,10 @@
 
 namespace freshet {
 
-/// The values of a formula in the columns of a table, row by row. A column stands in it by its
-/// name, with _ for whatever is no letter or digit: "kinetic energy" is kinetic_energy.
+/// The name of a column in formulas, with _ for all but letters and digits: kinetic_energy.
+std::string variable_of(const std::string& column);
+
+/// The values of a formula in the columns of a table, row by row.
 /// Throws Error (kind scene), at `place`, where the formula cannot be read.
 std::vector<double> evaluate(const std::string& formula, const Table& table,
                              const std::string& place);

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "freshet/error.h"
+#include "render/axis.h"
 #include "render/chart.h"
 #include "validate/formula.h"
 
@@ -168,9 +169,20 @@ double rate(const Curve& c) {
   return least_squares(c.x, logs).slope;
 }
 
-std::string plot_of(const ValidationMeasure& m, const Curve& curve, const Curve& expected) {
+/// The title of an axis: the name and unit of a column, of its negative too, or else the formula.
+std::string title_of(const std::string& formula, const Table& table) {
+  const bool negative = formula.starts_with('-');
+  for (const Column& c : table.columns)
+    if (variable_of(c.name) == formula.substr(negative))
+      return axis_title((negative ? "−" : "") + c.name, c.unit);
+  return formula;
+}
+
+std::string plot_of(const ValidationCase& c, const ValidationMeasure& m, const Table& table,
+                    const Curve& curve, const Curve& expected) {
   Chart chart;
-  Panel panel{"", m.x, m.y, {}};
+  chart.title = fmt::format("{}: {}", c.name, m.name);
+  Panel panel{"", title_of(m.x, table), title_of(m.y, table), {}};
   const bool points = !m.reference.empty() && m.reference != "finest";
   panel.series.push_back({"simulation", curve.x, curve.y, Series::Style::solid, -1});
   if (!expected.x.empty())
@@ -269,7 +281,7 @@ ValidationResult measure(const ValidationCase& c, const ValidationMeasure& m, Ta
       r.value = std::abs(*r.measured - should) / m.scale.value_or(std::abs(should));
       expected = line_of(m.statistic, curve, should);
     }
-    if (m.x != m.y) r.plot = plot_of(m, curve, expected);
+    if (m.x != m.y) r.plot = plot_of(c, m, table, curve, expected);
   } else {
     Curve expected = expected_of(c, m, curve, finest, place);
     if (m.align) align(curve, expected, *m.align, place);
@@ -278,7 +290,7 @@ ValidationResult measure(const ValidationCase& c, const ValidationMeasure& m, Ta
     const bool points = !m.reference.empty() && m.reference != "finest";
     if (points) cut(expected, m);
     r.value = difference(m.norm, curve, expected, points ? expected : curve, m.scale, place);
-    r.plot = plot_of(m, curve, expected);
+    r.plot = plot_of(c, m, table, curve, expected);
   }
   r.passed = !m.bound || r.value <= *m.bound;
   return r;

@@ -21,7 +21,13 @@ std::string base64(const std::string& bytes) {
   return out;
 }
 
+bool has_bounds(const ValidationRun& r) {
+  return !r.error.empty() || !r.expected_failure.empty() ||
+         std::any_of(r.results.begin(), r.results.end(), [](auto& v) { return v.bound; });
+}
+
 const char* word_of(const ValidationRun& r) {
+  if (!has_bounds(r)) return "no bounds";
   if (r.as_expected()) return r.passed() ? "passed" : "misses, as expected";
   const bool after_all = (r.passed() && !r.expected_failure.empty()) ||
                          std::none_of(r.results.begin(), r.results.end(),
@@ -51,7 +57,10 @@ void add_run(std::string& page, const std::vector<ValidationRun>& of_case, const
       "<details{}><summary>{}, {}: <span class=\"{}\">{}</span></summary>\n<p>{} particles, {} "
       "steps, {:.1f} s.{}{}</p>\n",
       &r == &of_case.front() ? " open" : "", escaped(r.solver), resolution_of(r),
-      r.as_expected() ? "good" : "bad", word_of(r), r.particles, r.steps, r.seconds,
+      !has_bounds(r)    ? ""
+      : r.as_expected() ? "good"
+                        : "bad",
+      word_of(r), r.particles, r.steps, r.seconds,
       r.expected_failure.empty() ? "" : " " + escaped(r.expected_failure),
       r.error.empty() ? "" : " " + escaped(r.error));
   page +=
@@ -62,8 +71,10 @@ void add_run(std::string& page, const std::vector<ValidationRun>& of_case, const
         "<tr><td>{}</td><td>{}</td><td class=\"{}\">{:.4g}</td><td>{}</td><td>{}</td><td>{}{}</td>"
         "</tr>\n",
         escaped(v.name), v.measured ? fmt::format("{:.5g}", *v.measured) : "",
-        v.passed ? "good" : "bad", v.value, v.bound ? bound_of(v) : "none",
-        order_from(of_case, r, v), escaped(v.reason),
+        !v.bound   ? ""
+        : v.passed ? "good"
+                   : "bad",
+        v.value, v.bound ? bound_of(v) : "none", order_from(of_case, r, v), escaped(v.reason),
         v.expected_miss.empty() ? "" : "; missed, as expected: " + escaped(v.expected_miss));
   page += "</table>\n<div class=\"plots\">\n";
   for (const ValidationResult& v : r.results)

@@ -21,6 +21,7 @@ struct Derived {
   std::int64_t left_out;           ///< lattice sites of fluids that walls exclude
   std::int64_t wall_particles;     ///< boundary particles and body particles
   std::int64_t frames;             ///< pictures that a run writes, without result.png
+  std::int64_t picture_width, picture_height;  ///< [px]
   std::int64_t data_frames;        ///< frames that a run writes as data files
   double data_bytes;               ///< approximate total size of the data files
   double support_radius, spacing;  ///< [m]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -19,6 +20,15 @@ struct ParticleView {
   std::span<const Real> density;   ///< [kg/m^D], computed in the last step; initially rest density
   std::span<const Real> pressure;  ///< [Pa; N/m in 2D], computed in the last step
   std::span<const int> liquid;     ///< index in Scene::liquids(); empty for one liquid
+  /// Where the domain is far from 0, x is rounded more coarsely than the simulation's positions.
+  /// Those are `origin` + `offset` [m]. Elsewhere origin is 0 and offset is empty.
+  std::array<double, 3> origin{};
+  std::span<const Real> offset{};
+  /// Coordinate d of particle i at full precision [m].
+  double position(std::size_t i, std::size_t d) const {
+    const std::size_t k = std::size_t(dimension) * i + d;
+    return offset.empty() ? double(x[k]) : origin[d] + double(offset[k]);
+  }
   int liquid_of(std::size_t i) const { return liquid.empty() ? 0 : liquid[i]; }
   std::size_t size() const { return id.size(); }
 };

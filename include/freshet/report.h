@@ -62,9 +62,9 @@ struct SolveStatistics {
   double mean_iterations() const { return solves ? double(iterations) / double(solves) : 0; }
 };
 
-/// The flow through an inlet, an outlet or a counter since the start.
+/// The flow through an inlet, an outlet, a counter or an open side since the start.
 struct Flow {
-  std::string kind, name;      ///< kind: "inlet", "outlet" or "counter"
+  std::string kind, name;      ///< kind: "inlet", "outlet", "counter" or "open side"
   std::int64_t particles = 0;  ///< counter: those along its direction minus those against it
   double volume = 0;           ///< of the particles at rest density [m^3; m^2 in 2D]
   double rate = 0;             ///< [m^3/s; m^2/s in 2D], the mean since the last call of flows()

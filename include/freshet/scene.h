@@ -36,6 +36,7 @@ enum class ColorBy {
   id,
   liquid
 };
+enum class ColorScale { run, picture };
 enum class ColorMap { article, water, viridis, inferno, coolwarm };
 enum class WhenWrong { stop, warn };
 enum class DataFormat { vtp, ply, csv, hdf5 };
@@ -228,6 +229,7 @@ struct Scene {
   struct Output {
     std::optional<std::int64_t> frame_every_steps, observables_every_steps;
     std::optional<double> frame_every, observables_every;  // [s]
+    bool statistics = false;  // of forces and probes, over all steps since the last row
     std::optional<std::int64_t> checkpoint_every_steps;
     std::optional<double> checkpoint_every;         // [s]
     std::vector<DataFormat> data{DataFormat::vtp};  // no data files if empty
@@ -238,13 +240,15 @@ struct Scene {
     std::optional<double> data_every;              // [s]
   };
   struct Picture {
-    std::int64_t width = 800, height = 600;  // [px]
+    std::optional<std::int64_t> width, height;  // [px]; follow the domain
+    bool stretch = false;                       // 2D: fills width and height
     std::optional<std::int64_t> dot_radius;  // [px]; 2D
-    Dots dots = Dots::glow;                  // 2D
+    Dots dots = Dots::solid;                 // 2D
     Vector window;                           // x_min, y_min, x_max, y_max; 2D
     ColorBy color_by = ColorBy::speed;
-    std::optional<ColorMap> color_map;  // article in 2D, water in 3D
-    Vector color_range;                 // minimum and maximum; those of each picture if empty
+    std::optional<ColorMap> color_map;  // suits color_by
+    Vector color_range;                 // minimum and maximum; by color_scale if empty
+    ColorScale color_scale = ColorScale::run;
     std::string background = "night";   // a name, or "#rrggbb"
     bool time_stamp = false, scale_bar = false, color_bar = false;
   };
@@ -316,6 +320,10 @@ struct Scene {
   /// The wall method of side 2d + (0: min, 1: max), d the axis. It ignores periodic axes.
   WallMethod side_method(int side) const;
   WallMethod wall_method(std::size_t k) const;
+  /// Whether the fluid leaves through this side.
+  bool is_open(int side) const {
+    return !periodic(side / 2) && side_method(side) == WallMethod::open;
+  }
   bool periodic(int axis) const { return int(domain.periodic) >> axis & 1; }
   Integrator integrator() const;
   /// As set. Default: artificial for wcsph and delta_sph, monaghan2005 for the others.
@@ -323,19 +331,34 @@ struct Scene {
   /// The names by which wall forces are reported: "x_min" ... "z_max", then the walls' names.
   std::vector<std::string> wall_names() const;
   /// Whether particles are added or removed during the run.
-  bool has_flows() const { return !inlet.empty() || !outlet.empty(); }
-  /// The names by which flows are reported: inlets, then outlets, then counters.
+  bool has_flows() const;
+  /// The names by which flows are reported: inlets, then outlets, then counters, then open sides.
   std::vector<std::string> flow_names() const;
+  /// "inlet", "outlet", "counter" or "open side": what the k-th of flow_names() is.
+  const char* flow_kind(std::size_t k) const;
   std::string body_name(std::size_t k) const;
 };
 
 /// A key and the value that replaces the scene's. The value is parsed as TOML; if that fails, it is
-/// a string.
-using Override = std::pair<std::string, std::string>;
+/// a string. Without a value, the key or table is removed; it must be in the scene. Diagnostics have
+/// the place "override KEY" or "removal KEY".
+using Override = std::pair<std::string, std::optional<std::string>>;
 
 /// Loads and checks a scene.
 /// Throws Error (kind scene) with every semantic error at once, or one syntax error alone.
 Scene load_scene(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
+
+struct SceneChange {
+  std::vector<Override> overrides;
+  std::vector<Diagnostic> dropped;  ///< warnings: why each key is removed
+};
+
+/// The overrides that load a scene with another solver. They remove the keys of the file that this
+/// solver does not use or whose value it does not support, so that its defaults apply. Keys that
+/// `overrides` sets, and keys that the scene's own solver does not use either, stay and are errors
+/// of load_scene.
+SceneChange change_solver(const std::filesystem::path& file, const std::string& solver,
+                          const std::vector<Override>& overrides = {});
 
 /// Parses and checks a scene from TOML text. Messages use `name` as the file name.
 /// Throws Error (kind scene) with every semantic error at once, or one syntax error alone.

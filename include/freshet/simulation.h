@@ -100,7 +100,7 @@ class Simulation {
   struct Moment {
     double time;                       ///< [s]
     std::vector<Vector> impulses;      ///< of the fluid on each reflecting wall [N s; N s/m in 2D]
-    std::vector<std::int64_t> passed;  ///< particles through each inlet, outlet and counter
+    std::vector<std::int64_t> passed;  ///< particles through each of Scene::flow_names()
   };
   Moment moment() const;
   /// The force of the fluid on each wall, in the order of Scene::wall_names() [N; N/m in 2D]:
@@ -110,8 +110,8 @@ class Simulation {
   /// on samples of walls and bodies within a support, each for as much of its cell as the patch
   /// covers. Throws Error (kind scene) where a vector has not as many numbers as the domain axes.
   std::vector<Vector> tractions(const std::vector<WallPatch>& patches) const;
-  /// What inlets brought, outlets took and counters saw, in the order of Scene::flow_names(); rates
-  /// are the mean since that moment.
+  /// What inlets added, outlets and open sides removed and counters counted, in the order of
+  /// Scene::flow_names(). Rates are the mean since that moment.
   std::vector<Flow> flows(const Moment& since = Moment()) const;
   ParticleView fluid() const;
   /// The states of the rigid bodies, in the order of Scene::body.
@@ -129,8 +129,8 @@ class Simulation {
   /// invalid; the simulation is then unchanged.
   void restore(const Checkpoint& checkpoint);
 
-  /// SHA-256 over steps_done (u64), then id (u64), x and v of each particle in id order,
-  /// little-endian: equal states have equal sums.
+  /// SHA-256 over steps_done (u64), then id (u64), x (relative to ParticleView::origin) and v of each
+  /// particle in id order, little-endian: equal states have equal sums.
   std::string state_sha256() const;
   /// SHA-256 over the kept fields (those that a restart needs), in the order of their names.
   std::string kept_sha256() const;

@@ -6,9 +6,11 @@
 #include <optional>
 
 #include "bodies/rigid_world.h"
+#include "boundary/open_sides.h"
 #include "core/rotation.h"
 #include "scene/model/body_motion.h"
 #include "scene/model/expressions.h"
+#include "scene/model/setup.h"
 #include "scene/model/solid_of.h"
 
 namespace freshet {
@@ -70,6 +72,18 @@ struct Bodies::Impl {
     }
     if (any_free) world.emplace(s, shapes);
   }
+  /// Whether a body at x with this acceleration is too far outside to come back or to touch fluid.
+  bool has_left(std::size_t k, Point x, Point a) const {
+    OpenSides<3> sides{in_space(scene.domain.min), in_space(scene.domain.max),
+                       2 * (shapes[k].reach + support_radius(scene)), 0, 0};
+    for (int side = 0; side < 2 * scene.dimension(); ++side) {
+      const unsigned bit = 1u << side;
+      if (scene.is_open(side)) sides.open |= bit;
+      else if (!scene.periodic(side / 2)) sides.closed |= bit;
+    }
+    return sides.left_through(x, a) >= 0;
+  }
+
   const Scene& scene;
   std::vector<BodyShape> shapes;
   std::vector<std::optional<PrescribedMotion>> motions;
@@ -205,6 +219,9 @@ double Bodies::fastest(double time) const {
   double most = 0;
   for (std::size_t k = 0; k < size(); ++k) {
     const BodyState state = at(k, time, 0);
+    const SixNumbers load = pull(k, time);
+    const bool free = impl_->scene.body[k].motion == BodyMotion::free;
+    if (free && impl_->has_left(k, point_of(state.position), {load[0], load[1], load[2]})) continue;
     most = std::max(most, norm(point_of(state.velocity)) +
                               impl_->shapes[k].reach * norm(point_of(state.angular_velocity)));
   }

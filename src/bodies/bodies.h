@@ -44,7 +44,8 @@ class Bodies {
   SixNumbers pull(std::size_t k, double time) const;
   /// Moves all bodies from `time` to `time` + dt [s] by the forces of the fluid [N, N m].
   void step(double time, double dt, std::span<const SixNumbers> forces);
-  /// The maximum speed of any point of a body [m/s].
+  /// The maximum speed of any point of a body [m/s], without free bodies that have left through an
+  /// open side.
   double fastest(double time) const;
 
   /// Saves and restores the state, for a step that may be rolled back.

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Inertia tensors in Bullet, which knows diagonal ones only. Included where Bullet is available.
 #pragma once
-#include <btBulletDynamicsCommon.h>
-
-#include "scene/model/body_shape.h"
+#include "bodies/colliders.h"
 
 namespace freshet {
 
@@ -16,11 +14,7 @@ struct BodyAxes {
 /// BodyShape::inertia, along the axes of space after the rotation of the body [m⁵].
 inline btMatrix3x3 inertia_of(const BodyShape& shape,
                               const btMatrix3x3& turned = btMatrix3x3::getIdentity()) {
-  const auto& i = shape.inertia;
-  return turned *
-         btMatrix3x3(i[0][0], i[0][1], i[0][2], i[1][0], i[1][1], i[1][2], i[2][0], i[2][1],
-                     i[2][2]) *
-         turned.transpose();
+  return turned * bullet(shape.inertia) * turned.transpose();
 }
 
 inline BodyAxes principal_axes(btMatrix3x3 inertia) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The initial particles of a simulation. D numbers per position and velocity.
+/// The initial particles of a simulation. D numbers per position and velocity. Positions of the
+/// fluid and of walls are relative to origin_of() the scene.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -13,12 +14,16 @@ struct WallSample {
   std::vector<Real> x;
   /// Index w of the wall in Scene::wall_names(); -1 - w for its images beyond a periodic end.
   std::vector<std::int32_t> wall;
+  /// akinci2012: volume over 1/sum_l W_kl, below 1 in walls that are thinner than twice the depth
+  /// of the layer.
+  std::vector<Real> volume_factor;
 };
 
-/// The body particles of all bodies at their initial positions.
+/// The body particles of all bodies at their initial positions in the scene.
 struct BodySample {
   std::vector<double> x;
   std::vector<std::int32_t> body;  ///< index in Scene::body
+  std::vector<Real> volume_factor;  ///< as in WallSample; empty for adami2012
 };
 
 /// All particles; the ids of the fluid count from 0 in this order.
@@ -32,7 +37,7 @@ struct Sample {
   std::int64_t outside = 0;   ///< particles that start outside the domain
   std::int64_t left_out = 0;  ///< lattice sites of fluids that walls exclude
   /// Boundary particles in layers behind the surface. akinci2012: one layer, at the distance of
-  /// single_layer_distance(). monaghan2009: one layer, at half a spacing. adami2012: the first
+  /// single_layer_distance(), or in the middle of a thin wall. monaghan2009: one layer, at half a spacing. adami2012: the first
   /// layer at half a spacing, then as many as the support radius reaches.
   WallSample akinci2012, adami2012, monaghan2009;
   BodySample bodies;  ///< in layers beneath the surface, by the wall method of body_method()

@@ -32,6 +32,15 @@ template <int D> class BodyForce {
       for (int k = 0; k < D; ++k) component(f.v[i], k) += Real(dt * component(b, k));
     });
   }
+  /// b(x, time) of a plan at particle i, without a custom force [m/s^2].
+  Vec<D, double> at(const Particles<D>& f, int i, double time) const {
+    Vec<D, double> b{};
+    double x[3] = {}, value[3] = {};
+    for (int k = 0; k < D && b_; ++k) x[k] = double(component(f.x[i], k));
+    if (b_) b_(x, time, value);
+    for (int k = 0; k < D; ++k) component(b, k) = value[k];
+    return b;
+  }
   /// max |b| [m/s^2]; 0 without a force.
   double greatest(const Particles<D>& f, double time) {
     double most2 = 0;
@@ -50,10 +59,7 @@ template <int D> class BodyForce {
     Vec<D, double> b{};
     for (int i = 0; i < f.n; ++i) {
       if (b_ && (i == 0 || varies_)) {
-        double x[3] = {}, value[3];
-        for (int k = 0; k < D; ++k) x[k] = double(component(f.x[i], k));
-        b_(x, time, value);
-        for (int k = 0; k < D; ++k) component(b, k) = value[k];
+        b = at(f, i, time);
       }
       Vec<D, double> all = b;
       for (int k = 0; k < D && custom_; ++k)

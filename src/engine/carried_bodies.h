@@ -24,7 +24,7 @@ template <int D> class CarriedBodies {
   using Twist = typename RigidBodies<D>::Twist;
 
   CarriedBodies(const EnginePlan& p, Walls<D>& walls)
-      : bodies_(*p.bodies), moment_(moment_of(p)), layered_(p.layered_bodies) {
+      : bodies_(*p.bodies), moment_(moment_of(p)), layered_(p.layered_bodies), origin_(p.origin) {
     const BodySample& sample = p.sample.bodies;
     for (std::size_t k = 0; k < sample.body.size(); ++k) {
       const auto b = std::size_t(sample.body[k]);
@@ -57,8 +57,10 @@ template <int D> class CarriedBodies {
   int places() const { return 1 << periodic_.size(); }
 
   /// psi [kg] of the particles of each body, without other bodies and walls [Akinci 2012, eqs. 4
-  /// and 5].
-  template <class Kernel> std::vector<Real> psi(const Kernel& W, Real support, Real rho0) const {
+  /// and 5], times their volume factors.
+  template <class Kernel>
+  std::vector<Real> psi(const Kernel& W, Real support, Real rho0,
+                        const std::vector<Real>& volume_factor) const {
     std::map<std::array<std::int64_t, 4>, std::vector<int>> cells;
     const auto cell = [&](int k, const int(&off)[3]) {
       const auto& x = local_[std::size_t(k)];
@@ -79,7 +81,7 @@ template <int D> class CarriedBodies {
           if (norm2(x) < square(double(support))) sum += W(Pair<D, Real>(flat(x)));
         }
       }
-      all.push_back(rho0 / sum);
+      all.push_back(rho0 / sum * volume_factor[std::size_t(k)]);
     }
     return all;
   }
@@ -104,7 +106,8 @@ template <int D> class CarriedBodies {
                               (twist(end.velocity, end.angular_velocity) -
                                twist(start.velocity, start.angular_velocity));
       turn_.emplace_back(now.orientation);
-      center_.push_back({now.position[0], now.position[1], now.position[2]});
+      center_.push_back({now.position[0] - origin_[0], now.position[1] - origin_[1],
+                         now.position[2] - origin_[2]});
     }
     place();
     if (layered_) put(walls.of_layered_bodies, walls.adami2012);
@@ -186,8 +189,10 @@ template <int D> class CarriedBodies {
   Bodies& bodies_;
   ForceMoment moment_;
   bool layered_;
+  Triple origin_;  // of the plan
   RigidBodies<D> rigid_;
-  // local_: from the centre of mass at the start; places_: positions now; center_: of mass, now
+  // local_: from the centre of mass at the start; places_: positions now; center_: of mass, now;
+  // the last two are relative to the origin
   std::vector<Vec<3, double>> local_, places_, center_;
   std::vector<Rotation> turn_;
   std::vector<int> periodic_;

@@ -36,12 +36,15 @@ class Engine {
   virtual void undo() = 0;
   /// The bounds of a step from `time` on [s], by the state and the accelerations of the last step.
   virtual TimeStepBounds bounds(double time) = 0;
+  /// Its x is relative to its origin.
   virtual ParticleView fluid() const = 0;
-  /// The positions, velocities and numbers of the liquids of fluid(), to be written between steps.
+  /// The positions, relative to the origin of fluid(), the velocities and the numbers of the
+  /// liquids, to be written between steps.
   virtual std::span<Real> positions() = 0;
   virtual std::span<Real> velocities() = 0;
   virtual std::span<int> kinds() = 0;
-  /// Adds particles at rest density between steps, D numbers each; returns the first one's id.
+  /// Adds particles at rest density between steps, D numbers each, at positions in the scene.
+  /// Returns the first one's id.
   virtual std::uint64_t add(std::span<const Real> x, std::span<const Real> v, int kind) = 0;
   /// Removes the particles at these places of fluid(), in ascending order.
   virtual void remove(std::span<const int> places) = 0;

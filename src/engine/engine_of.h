@@ -29,6 +29,8 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
         body_force_(p),
         flows_(p),
         liquids_(liquids_of(p)),
+        origin_(p.origin),
+        gravity_(vec_of<D>(p.gravity)),
         iterates_(p.incompressible),
         h_(Real(p.h)),
         support_(Real(p.support)),
@@ -68,7 +70,8 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
   }
   void flow(double time, double dt) override {
     if (!flows_.any()) return;
-    const int first = flows_.advance(store_.backend, fluid_, fluid_.kind, time, dt);
+    const auto pull = [&](int i) { return gravity_ + body_force_.at(fluid_, i, time); };
+    const int first = flows_.advance(store_.backend, fluid_, fluid_.kind, time, dt, pull);
     if (first >= 0) fill_new(first);
   }
   std::vector<std::int64_t> flow_counts() const override { return flows_.counts(); }
@@ -104,6 +107,8 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
                       {fluid_.rho.data, n},
                       {fluid_.p.data, n},
                       {}};
+    view.origin = origin_;
+    if (is_far()) view.offset = view.x;
     if (!fluid_.kind.data) return view;
     density_.resize(n);
     for (int i = 0; i < fluid_.n; ++i)
@@ -128,7 +133,8 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
     for (int i = first; i < fluid_.n; ++i) {
       fluid_.id[i] = id + std::uint64_t(i - first);
       const auto at = std::size_t(i - first) * D;
-      std::copy_n(x.data() + at, D, positions().data() + std::size_t(i) * D);
+      for (std::size_t k = 0; k < D; ++k)
+        component(fluid_.x[i], int(k)) = Real(double(x[at + k]) - origin_[k]);
       if (!v.empty()) std::copy_n(v.data() + at, D, velocities().data() + std::size_t(i) * D);
       if (fluid_.kind.data) fluid_.kind[i] = kind;
       flows_.enter(fluid_, i);
@@ -142,6 +148,7 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
   }
   void set_gravity(const Triple& gravity) override {
     stepper_->set_gravity(vec_of<D, Real>(gravity));
+    gravity_ = vec_of<D>(gravity);
   }
   void set_force(AddForce force) override { body_force_.set_custom(std::move(force)); }
   std::vector<BodyState> bodies() const override {
@@ -166,15 +173,23 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
   }
   std::vector<Vector> tractions(const std::vector<WallPatch>& patches, double cell) override {
     std::vector<PatchOnWall<D>> all;
-    for (const WallPatch& patch : patches) all.emplace_back(patch, cell, double(support_));
+    for (WallPatch patch : patches) {
+      for (std::size_t k = 0; k < D; ++k) patch.center[k] -= origin_[k];
+      all.emplace_back(patch, cell, double(support_));
+    }
     WallForces<D, B> forces(store_.backend, std::move(all), double(m_));
     add_wall_forces(forces);
     return forces.tractions();
   }
 
  private:
+  bool is_far() const { return origin_ != Triple{}; }
   void make_fields(const EnginePlan& p) {
     store_.make_fluid(p);
+    if (is_far())  // a checkpoint of a build without an origin has positions of another meaning
+      store_.state.add(
+          "fluid/origin", [this] { return origin_.data(); }, [] { return std::int64_t(3); },
+          StateArray::Role::other);
     stepper_->fields(store_);
     if (forces_) forces_->fields(store_);
     flows_.fields([this](const char* name, Keep keep, auto& f) { store_.make(name, keep, f); });
@@ -228,7 +243,7 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
       fill_bodies("of_layered_bodies", walls_.of_layered_bodies, walls_.adami2012, p);
     } else {
       fill_bodies("of_bodies", walls_.of_bodies, walls_.akinci2012, p);
-      fill_psi(bodies_->psi(kernel_of<D>(p), support_, rho0_));
+      fill_psi(bodies_->psi(kernel_of<D>(p), support_, rho0_, p.sample.bodies.volume_factor));
     }
     store_.backend.allocate(fluid_, Keep::scratch, walls_.rate);
     static_assert(sizeof(BodyState) == 19 * sizeof(double));
@@ -298,6 +313,8 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
   BodyForce<D> body_force_;
   Flows<D> flows_;
   Liquids liquids_;
+  Triple origin_;           // of positions, in the scene
+  Vec<D, double> gravity_;  // for particles outside of the domain
   bool iterates_;
   Real h_, support_, rho0_, m_;
   std::size_t wall_count_;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// Inlets, outlets and counters of a fluid. They act between steps.
+/// Inlets, outlets, counters and open sides of a fluid. They act between steps.
 #pragma once
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "boundary/open_sides.h"
 #include "boundary/opening.h"
 #include "engine/inlet_clock.h"
 #include "engine/parameters.h"
@@ -30,19 +31,25 @@ template <int D> class Flows {
     for (const OpeningPlan& o : p.counters)
       counters_.push_back({vec_of<D>(o.center), vec_of<D>(o.direction), vec_of<D>(o.across),
                            vec_of<D>(o.up), o.half_width, o.half_height, o.radius});
-    counts_.resize(outlets_.size() + counters_.size());
+    unsigned closed = (1u << 2 * D) - 1;
+    for (int k = 0; k < D; ++k)
+      if (p.periodic[std::size_t(k)]) closed &= ~(3u << 2 * k);
+    open_ = {vec_of<D>(p.min), vec_of<D>(p.max), p.support, p.open_sides, closed & ~p.open_sides};
+    for (int side = 0; side < 2 * D; ++side)
+      if (open_.open >> side & 1) open_list_.push_back(side);
+    counts_.resize(outlets_.size() + counters_.size() + open_list_.size());
     for (int k = 0; k < D; ++k)
       if (p.periodic[std::size_t(k)])
         component(period_, k) = p.max[std::size_t(k)] - p.min[std::size_t(k)];
   }
-  bool change_particles() const { return !inlets_.empty() || !outlets_.empty(); }
-  bool any() const { return change_particles() || !counters_.empty(); }
+  bool remove_particles() const { return !outlets_.empty() || open_.open; }
+  bool any() const { return !inlets_.empty() || remove_particles() || !counters_.empty(); }
 
   /// Calls visit(name, keep, field) for the fields that this scene needs.
   template <class Visit> void fields(Visit visit) {
     if (!inlets_.empty()) visit("held", Keep::kept, held_);
     if (!counters_.empty()) visit("x_counted", Keep::kept, x_counted_);
-    if (!outlets_.empty() || !counters_.empty()) visit("mark", Keep::scratch, mark_);
+    if (remove_particles() || !counters_.empty()) visit("mark", Keep::scratch, mark_);
   }
   /// Calls visit(name, data, count) for the other state, arrays of 64-bit numbers.
   template <class Visit> void numbers(Visit visit) {
@@ -55,8 +62,8 @@ template <int D> class Flows {
       visit(at + "_crossings", inlets_[k].crossings().data(), inlets_[k].crossings().size());
     }
   }
-  /// The number of particles through each inlet, outlet and counter since the start, then the
-  /// number of particles that wait at each inlet.
+  /// The number of particles through each inlet, outlet, counter and open side since the start,
+  /// then the number of particles that wait at each inlet.
   std::vector<std::int64_t> counts() const {
     std::vector<std::int64_t> all;
     for (const InletClock& inlet : inlets_)
@@ -78,13 +85,15 @@ template <int D> class Flows {
     if (held_.data) held_[i] = 0;
     if (x_counted_.data) x_counted_[i] = f.x[i];
   }
-  /// The time is now `time`, dt after the last. Returns the place of the first particle that is
-  /// new, which has its id, x, v and kind, and zeros; -1 where none came or went.
-  template <class B>
-  int advance(B& backend, Particles<D>& f, Field<int>& kind, double time, double dt) {
+  /// Advances to `time`, dt after the last call. pull(i) is the acceleration of a particle outside
+  /// of the domain without forces of the fluid. Returns the index of the first new particle, which
+  /// has its id, x, v and kind, and zeros; -1 if no particle was added or removed.
+  template <class B, class Pull>
+  int advance(B& backend, Particles<D>& f, Field<int>& kind, double time, double dt,
+              const Pull& pull) {
     hold(backend, f, time);
     count(backend, f);
-    find_gone(backend, f);
+    find_gone(backend, f, pull);
     std::size_t births = 0;
     for (InletClock& inlet : inlets_) {
       inlet.advance(time, dt);
@@ -99,6 +108,7 @@ template <int D> class Flows {
   }
 
  private:
+  static constexpr int inside = -1, perhaps = -2;  // marks: see mark_outside
   struct Target {
     Vec<D> x, v;
     bool through;
@@ -166,25 +176,43 @@ template <int D> class Flows {
     backend.for_each("flows", f, [=](int i) { before[i] = f.x[i]; });
   }
 
-  /// Finds the free particles inside an outlet.
-  template <class B> void find_gone(B& backend, const Particles<D>& f) {
+  /// Finds the free particles that are inside an outlet or have left through an open side.
+  template <class B, class Pull>
+  void find_gone(B& backend, const Particles<D>& f, const Pull& pull) {
     gone_.clear();
-    if (outlets_.empty()) return;
+    if (!remove_particles()) return;
+    mark_outside(backend, f);
+    for (int i = 0; i < f.n; ++i) {
+      if (mark_[i] == inside) continue;
+      const std::ptrdiff_t way =
+          mark_[i] == perhaps ? way_out(to_double(f.x[i]), pull(i)) : mark_[i];
+      if (way < 0) continue;
+      gone_.push_back(i);
+      ++counts_[std::size_t(way)];
+      for (InletClock& inlet : inlets_) inlet.state.waiting += inlet.plan().outlet == way;
+    }
+  }
+  /// Marks each particle by the index of its outlet, by `inside` or by `perhaps`.
+  template <class B> void mark_outside(B& backend, const Particles<D>& f) {
     const auto *outlets = outlets_.data(), *last = outlets + outlets_.size();
     const auto mark = mark_;
     const auto held = held_;
+    const OpenSides<D> open = open_;
     backend.for_each("flows", f, [=](int i) {
-      mark[i] = -1;
+      mark[i] = inside;
       if (held.data && held[i] != 0) return;
-      for (const auto* o = outlets; o != last && mark[i] < 0; ++o)
-        if (o->distance(to_double(f.x[i])) > 0) mark[i] = int(o - outlets);
+      const auto x = to_double(f.x[i]);
+      for (const auto* o = outlets; o != last && mark[i] == inside; ++o)
+        if (o->distance(x) > 0) mark[i] = int(o - outlets);
+      if (mark[i] == inside && open.may_have_left(x)) mark[i] = perhaps;
     });
-    for (int i = 0; i < f.n; ++i) {
-      if (mark[i] < 0) continue;
-      gone_.push_back(i);
-      ++counts_[std::size_t(mark[i])];
-      for (InletClock& inlet : inlets_) inlet.state.waiting += inlet.plan().outlet == mark[i];
-    }
+  }
+  /// The index in counts_ of the open side through which a particle has left; -1: none.
+  std::ptrdiff_t way_out(Vec<D, double> x, Vec<D, double> a) const {
+    const int side = open_.left_through(x, a);
+    if (side < 0) return -1;
+    const auto first = std::ptrdiff_t(outlets_.size() + counters_.size());
+    return first + (std::find(open_list_.begin(), open_list_.end(), side) - open_list_.begin());
   }
 
   /// Writes the new layers of an inlet from particle i on.
@@ -210,11 +238,13 @@ template <int D> class Flows {
   std::vector<InletClock> inlets_;
   std::vector<Solid<D, double>> outlets_;
   std::vector<Opening<D>> counters_;
+  OpenSides<D> open_{};
+  std::vector<int> open_list_;  // the sides that are open
   Vec<D, double> period_{};
   std::vector<int> first_target_;  // by inlet
   std::vector<Target> targets_;    // of every place of every held layer
   std::vector<int> gone_;
-  std::vector<std::int64_t> counts_;  // of the outlets, then the counters
+  std::vector<std::int64_t> counts_;  // of the outlets, then the counters and the open sides
   std::uint64_t next_id_ = 0;
   Field<int> held_, mark_;
   Field<Vec<D>> x_counted_;

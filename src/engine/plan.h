@@ -78,7 +78,8 @@ struct ForcesPlan {
   }
 };
 
-/// The input of an engine. SI units.
+/// The input of an engine. SI units. Positions are relative to `origin`, except those of bodies and
+/// body particles, which are the scene's.
 struct EnginePlan {
   int dimension = 2, threads = 1;
   SolverName solver = SolverName::mueller2003;
@@ -115,8 +116,10 @@ struct EnginePlan {
   Iterations density{}, divergence{};
 
   // Domain
+  Triple origin{};  ///< in the scene [m]
   Triple min{}, max{}, gravity{};
   std::array<bool, 3> periodic{};
+  unsigned open_sides = 0;  ///< bit 2k: min, 2k + 1: max of axis k; none of a periodic axis
   /// An acceleration b(x, t) added to gravity [m/s^2]; empty: none. One thread calls it.
   std::function<void(const double (&x)[3], double t, double* b)> body_force;
   bool body_force_varies = false;  ///< whether b depends on x

@@ -68,6 +68,8 @@ template <int D, class B> class Store final : public FieldMaker<D> {
     fill_wall("adami2012", walls.adami2012, p.sample.adami2012, p, carried - single);
     fill_wall("monaghan2009", walls.monaghan2009, p.sample.monaghan2009, p, 0);
     AkinciWall<D>& wall = walls.akinci2012;
+    std::copy(p.sample.akinci2012.volume_factor.begin(), p.sample.akinci2012.volume_factor.end(),
+              wall.psi.data);
     const int all = std::exchange(wall.n, int(p.sample.akinci2012.wall.size()));
     prepare_walls(backend, walls, kernel_of<D>(p), Real(p.support),
                   Real(p.rest_density));  // without body particles

@@ -14,7 +14,8 @@ constexpr std::string_view exact[] = {"x", "y", "z", "vx", "vy", "vz"};
 constexpr std::string_view letters[] = {"u", "v", "w"};
 constexpr std::string_view positions[] = {"points", "point", "position", "positions",
                                           "pos",    "coord", "coords",   "coordinates"};
-constexpr std::string_view velocities[] = {"velocity", "velocities", "vel", "v", "u"};
+constexpr std::string_view velocities[] = {"velocity", "velocities", "v", "vel", "velo", "u"};
+constexpr int certain_velocities = 2;
 
 template <class List> int index_in(const List& list, std::string_view name) {
   const auto it = std::find(std::begin(list), std::end(list), name);
@@ -38,6 +39,22 @@ std::optional<PointColumn> point_column(std::string_view name) {
   if (index_in(positions, vector) >= 0) return PointColumn{axis, true};
   if (index_in(velocities, vector) >= 0) return PointColumn{3 + axis, true};
   return {};
+}
+
+std::string short_name(std::string_view name) {
+  static constexpr const char* components[] = {"x", "y", "z", "vx", "vy", "vz"};
+  const auto column = point_column(name);
+  return column && column->certain ? components[column->component] : std::string(name);
+}
+
+std::optional<int> velocity_rank(std::string_view name) {
+  const int rank = index_in(velocities, plain_name(name));
+  if (rank < 0) return {};
+  return rank;
+}
+
+bool always_velocity(std::string_view name) {
+  return velocity_rank(name).value_or(certain_velocities) < certain_velocities;
 }
 
 }  // namespace freshet

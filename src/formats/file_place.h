@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace freshet {
 
@@ -18,5 +19,8 @@ class FilePlace {
  private:
   std::string file_;
 };
+
+/// The beginning of a name, for messages: a damaged file may have names of any length.
+inline std::string_view shown(std::string_view name) { return name.substr(0, 40); }
 
 }  // namespace freshet

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "formats/ply_file.h"
-#include "formats/point_sink.h"
+#include "formats/point_formats.h"
 
 namespace freshet {
 namespace {
@@ -19,13 +19,13 @@ void read_ply(std::string_view bytes, PointSink& sink) {
   events.comment = [&](std::string_view words) { read_comment(words, sink); };
   events.element = [&](const PlyElement& element) {
     vertices += element.name == "vertex";
-    if (vertices == 0) sink.fail("another element stands before the vertices; put them first");
-    if (vertices > 1) sink.fail("it names its vertices twice; save the file again");
+    if (vertices == 0) sink.fail("the first element must be vertex; put the vertices first");
+    if (vertices > 1) sink.fail("the element vertex occurs twice; save the file again");
   };
   events.property = [&](const PlyElement& element, const PlyProperty& property) {
     if (element.name != "vertex") return;
     if (property.is_list || property.type.bytes == 0)
-      sink.fail("a vertex has a list or a property of unknown type; save it without");
+      sink.fail("the vertices have a list or a property of unknown type; save them without it");
     sink.name(property.name, element.properties.size() - 1);
   };
   const PlyHeader h = read_ply_header(bytes, sink, events);

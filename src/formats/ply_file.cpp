@@ -4,14 +4,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "formats/point_sink.h"
 
 namespace freshet {
 namespace {
 
-PlyType type_of(std::string_view name) {
+NumberType type_of(std::string_view name) {
   if (name == "char" || name == "int8") return {1, 'i'};
   if (name == "uchar" || name == "uint8") return {1, 'u'};
   if (name == "short" || name == "int16") return {2, 'i'};
@@ -28,7 +27,7 @@ PlyFormat read_format(std::string_view words, const FilePlace& place) {
   if (name == "ascii") return PlyFormat::ascii;
   if (name == "binary_little_endian") return PlyFormat::little;
   if (name == "binary_big_endian") return PlyFormat::big;
-  place.fail("an unknown format; save it as ascii or binary_little_endian PLY");
+  place.fail("the format is unknown; save it as ascii or binary_little_endian PLY");
 }
 
 PlyElement read_element(std::string_view words, const FilePlace& place) {
@@ -53,26 +52,6 @@ PlyProperty read_property(std::string_view words) {
   p.name = take_word(words);
   return p;
 }
-
-template <class T> double as(const unsigned char* bytes) {
-  T value;
-  std::memcpy(&value, bytes, sizeof value);
-  return double(value);
-}
-
-double binary_number(const char* at, PlyType type, bool big) {
-  unsigned char bytes[8];
-  std::memcpy(bytes, at, type.bytes);
-  if (big) std::reverse(bytes, bytes + type.bytes);
-  if (type.kind == 'f') return type.bytes == 4 ? as<float>(bytes) : as<double>(bytes);
-  const bool has_sign = type.kind == 'i';
-  if (type.bytes == 1) return has_sign ? as<std::int8_t>(bytes) : as<std::uint8_t>(bytes);
-  if (type.bytes == 2) return has_sign ? as<std::int16_t>(bytes) : as<std::uint16_t>(bytes);
-  return has_sign ? as<std::int32_t>(bytes) : as<std::uint32_t>(bytes);
-}
-
-/// The beginning of a name, for messages: a damaged file may have any.
-std::string_view shown(const std::string& name) { return std::string_view(name).substr(0, 40); }
 
 std::string rows_word(const PlyElement& element) {
   return element.name == "vertex" ? "vertices"
@@ -110,7 +89,7 @@ PlyHeader read_ply_header(std::string_view& bytes, FilePlace& place, const PlyEv
       if (events.property) events.property(element, element.properties.back());
     }
   }
-  place.fail("the header has no end; the file is cut off");
+  place.fail("end_header is missing; the file is cut off");
 }
 
 void PlyRows::begin(const PlyElement& element) {
@@ -126,7 +105,7 @@ void PlyRows::begin(const PlyElement& element) {
   if (ascii) least = std::max<std::size_t>(least, 1);
   if (least > 0 && element.count > (bytes_.size() + ascii) / least) {
     place_.line = 0;
-    place_.fail(fmt::format("the header tells of {} {}, and the file ends before; it is cut off",
+    place_.fail(fmt::format("the header announces {} {}, and the file is too short; it is cut off",
                             element.count, rows_word(element)));
   }
   values_.values.assign(element.properties.size(), 0);
@@ -145,7 +124,7 @@ std::size_t PlyRows::length(const PlyElement& element, double entries, std::size
     place_.fail(fmt::format("{} {} has a list of {} entries; the file is damaged",
                             shown(element.name), row_, entries));
   if (entries > double(room))
-    place_.fail(fmt::format("{} {} has a list of {} entries, and {} ends before; it is cut off",
+    place_.fail(fmt::format("{} {} has a list of {} entries, and {} is too short; it is cut off",
                             shown(element.name), row_, entries,
                             format_ == PlyFormat::ascii ? "its line" : "the file"));
   return std::size_t(entries);
@@ -157,7 +136,7 @@ void PlyRows::next_ascii(const PlyElement& element) {
   const auto number = [&] {
     const auto value = number_in(take_word(line));
     if (!value)
-      place_.fail(fmt::format("not {} numbers, which the header asks for; the file is damaged",
+      place_.fail(fmt::format("a value is missing or not a number; the header names {} per line",
                               element.properties.size()));
     return *value;
   };
@@ -185,9 +164,9 @@ void PlyRows::next_binary(const PlyElement& element) {
   }
 }
 
-double PlyRows::binary(PlyType type) {
+double PlyRows::binary(NumberType type) {
   if (bytes_.size() < type.bytes) place_.fail("the file ends inside an element; it is cut off");
-  const double value = binary_number(bytes_.data(), type, format_ == PlyFormat::big);
+  const double value = number_at(bytes_.data(), type, format_ == PlyFormat::big);
   bytes_.remove_prefix(type.bytes);
   return value;
 }

@@ -8,21 +8,17 @@
 #include <vector>
 
 #include "formats/file_place.h"
+#include "formats/numbers.h"
 
 namespace freshet {
 
 enum class PlyFormat { ascii, little, big };
 
-struct PlyType {
-  std::size_t bytes = 0;  ///< 0: unknown type
-  char kind = 0;          ///< 'i' signed, 'u' unsigned, 'f' floating
-};
-
 struct PlyProperty {
   std::string name;
-  PlyType type;  ///< of the value, or of the entries of a list
+  NumberType type;  ///< of the value, or of the entries of a list
   bool is_list = false;
-  PlyType length = {};  ///< of the length before a list
+  NumberType length = {};  ///< of the length before a list
 };
 
 struct PlyElement {
@@ -79,7 +75,7 @@ class PlyRows {
   }
   void begin(const PlyElement& element);
   void next(const PlyElement& element);
-  double binary(PlyType type);
+  double binary(NumberType type);
   std::size_t length(const PlyElement& element, double entries, std::size_t room) const;
   void next_ascii(const PlyElement& element);
   void next_binary(const PlyElement& element);

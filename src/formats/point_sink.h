@@ -36,18 +36,7 @@ class PointSink : public FilePlace {
   virtual void note(std::string_view, double) {}
 };
 
-/// Reads the vertices of a PLY file [Turk 1994]: ascii, or binary of either byte order. Comments of
-/// a word and a number are notes.
-void read_ply(std::string_view bytes, PointSink& sink);
-/// Reads the lines of a CSV file: columns between commas, semicolons, tabs or spaces, after a line
-/// with their names (see TableText and point_column).
-void read_csv(std::string_view bytes, PointSink& sink);
-/// Reads the points of a VTK XML file of PolyData: ascii, base64 or raw, inline or appended, plain
-/// or compressed by zlib. Columns are x, y, z; vx, vy, vz of an array "velocity", "vel", "u" or
-/// "v", capital or not; density, pressure and id of arrays of one component. Field data are notes.
-void read_vtp(std::string_view bytes, PointSink& sink);
-/// Whether this build reads VTP files, which needs pugixml and zlib.
-bool reads_vtp();
+inline constexpr const char* white_space = " \t\r\n\v\f";
 
 /// Removes the first word from `text` and returns it; empty at the end.
 inline std::string_view take_word(std::string_view& text, const char* spaces = " \t") {
@@ -64,6 +53,12 @@ inline std::optional<std::uint64_t> count_in(std::string_view text) {
   const auto [end, ec] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (ec != std::errc() || end != text.data() + text.size() || text.empty()) return {};
   return value;
+}
+
+/// The line of a place in a text, from 1 on.
+inline std::size_t line_at(std::string_view text, std::size_t place) {
+  text = text.substr(0, place);
+  return 1 + std::size_t(std::count(text.begin(), text.end(), '\n'));
 }
 
 }  // namespace freshet

@@ -4,34 +4,57 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include <bit>
 #include <cstring>
+
+#include "formats/numbers.h"
 
 namespace freshet {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "arrays are copied as they stand");
-
-constexpr const char* spaces = " \t\r\n";
 constexpr std::uint64_t most_deflated = 1032;  // maximum expansion of a byte by deflate
+constexpr std::size_t most_components = 1024;  // of a tuple; more are damaged files
+
+/// The type of numbers by its name in VTK XML; of 0 bytes if it is unknown.
+NumberType type_named(std::string_view name) {
+  static constexpr struct {
+    const char* name;
+    NumberType type;
+  } types[] = {{"Float32", {4, 'f'}}, {"Float64", {8, 'f'}}, {"Int8", {1, 'i'}},
+               {"UInt8", {1, 'u'}},   {"Int16", {2, 'i'}},   {"UInt16", {2, 'u'}},
+               {"Int32", {4, 'i'}},   {"UInt32", {4, 'u'}},  {"Int64", {8, 'i'}},
+               {"UInt64", {8, 'u'}}};
+  for (const auto& known : types)
+    if (name == known.name) return known.type;
+  return {};
+}
 
 /// Reads one array. Messages contain its name.
 class ArrayReader {
  public:
-  ArrayReader(const VtkArray& array, const VtkStorage& storage, const PointSink& sink)
-      : array_(array.node), name_(array.name), storage_(storage), sink_(sink) {}
+  ArrayReader(const VtkArray& array, const VtkStorage& storage, PointSink& sink)
+      : array_(array.node),
+        name_(array.name),
+        type_(type_named(array_.attribute("type").as_string())),
+        storage_(storage),
+        sink_(sink) {}
 
   std::vector<double> read(std::uint64_t count) const {
     const std::string_view format = array_.attribute("format").as_string("ascii");
     if (format == "ascii") return from_ascii(count);
     std::string decoded;
     const std::string_view bytes = stored(format, decoded);
-    return numbers(storage_.compressed ? inflated(bytes, count) : plain(bytes, count), count);
+    if (type_.bytes == 0) fail("its type is unknown; save it as Float32 or Float64");
+    const std::string data = storage_.compressed ? inflated(bytes, count) : plain(bytes, count);
+    return numbers_in(data, type_, storage_.big);
   }
 
  private:
-  [[noreturn]] void fail(const std::string& why) const {
-    sink_.fail(fmt::format("array \"{}\": {}", name_, why));
+  /// Fails at a line behind that of the DataArray element.
+  [[noreturn]] void fail(const std::string& why, std::size_t lines_behind = 0) const {
+    sink_.line =
+        line_at(storage_.text, std::size_t(std::max<std::ptrdiff_t>(array_.offset_debug(), 0))) +
+        lines_behind;
+    sink_.fail(fmt::format("array \"{}\": {}", shown(name_), why));
   }
   [[noreturn]] void fail_short() const { fail("it ends too early; the file is cut off"); }
 
@@ -42,28 +65,27 @@ class ArrayReader {
   std::string plain(std::string_view bytes, std::uint64_t count) const;
   std::string inflated(std::string_view bytes, std::uint64_t count) const;
   std::string inflated_block(std::string_view bytes, std::uint64_t size) const;
-  template <class T> std::vector<double> as(const std::string& bytes) const;
-  std::vector<double> numbers(const std::string& bytes, std::uint64_t count) const;
-  std::uint64_t bytes_of(std::uint64_t count) const;
+  std::uint64_t bytes_of(std::uint64_t count) const { return count * type_.bytes; }
 
   const pugi::xml_node& array_;
   const std::string& name_;
+  const NumberType type_;
   const VtkStorage& storage_;
-  const PointSink& sink_;
+  PointSink& sink_;
 };
 
 std::vector<double> ArrayReader::from_ascii(std::uint64_t count) const {
-  std::string_view text = array_.child_value();
+  const std::string_view text = array_.child_value();
   if (count > (text.size() + 1) / 2) fail_short();  // a number takes at least two characters
-  std::vector<double> values;
-  for (std::string_view word; !(word = take_word(text, spaces)).empty();) {
-    const auto value = number_in(word);
-    if (!value) fail("a word in it is no number; save the file again");
-    values.push_back(*value);
-  }
-  if (values.size() != count)
-    fail(
-        fmt::format("{} numbers, and there must be {}; save the file again", values.size(), count));
+  std::string_view rest = text;
+  std::vector<double> values = take_numbers(rest, count);
+  const std::string_view read = text.substr(0, text.size() - rest.size());
+  const std::size_t lines = std::size_t(std::count(read.begin(), read.end(), '\n'));
+  if (rest.empty() && values.size() < count) fail_short();
+  if (values.size() < count)
+    fail(fmt::format("value {} is not a finite number; save the file again", values.size()), lines);
+  if (!rest.empty())
+    fail(fmt::format("more than the expected {} numbers; save the file again", count), lines);
   return values;
 }
 
@@ -72,7 +94,7 @@ std::vector<double> ArrayReader::from_ascii(std::uint64_t count) const {
 std::string_view ArrayReader::stored(std::string_view format, std::string& decoded) const {
   if (format == "binary") return decoded = from_base64(array_.child_value());
   if (format != "appended")
-    fail("its format is none of ascii, binary and appended; save the file again");
+    fail("its format must be ascii, binary or appended; save the file again");
   const auto offset = count_in(array_.attribute("offset").as_string());
   if (!offset) fail("its offset is missing; save the file again");
   if (*offset > storage_.appended.size()) fail_short();
@@ -96,13 +118,13 @@ std::string ArrayReader::from_base64(std::string_view text) const {
   std::uint32_t bits = 0;
   int digits = 0, padding = 0;
   for (const char c : text) {
-    if (std::strchr(spaces, c) && c) continue;
+    if (std::strchr(white_space, c) && c) continue;
     const int value = c == '=' ? 0 : digit(c);
-    if (value < 0 || (padding > 0 && c != '=')) fail("it is not base64; save the file again");
+    if (value < 0 || (padding > 0 && c != '=')) fail("its data is not base64; save the file again");
     padding += c == '=';
     bits = bits << 6 | std::uint32_t(value);
     if (++digits < 4) continue;
-    if (padding > 2) fail("it is not base64; save the file again");
+    if (padding > 2) fail("its data is not base64; save the file again");
     for (int k = 0; k < 3 - padding; ++k) bytes += char(bits >> (16 - 8 * k) & 0xFF);
     bits = 0;
     digits = padding = 0;
@@ -115,23 +137,19 @@ std::string ArrayReader::from_base64(std::string_view text) const {
 std::uint64_t ArrayReader::size_at(std::string_view bytes, std::uint64_t k) const {
   const std::size_t width = storage_.header_bytes;
   if (k >= bytes.size() / width) fail_short();
-  std::uint64_t size = 0;
-  std::memcpy(&size, bytes.data() + k * width, width);
-  return size;
-}
-
-std::uint64_t ArrayReader::bytes_of(std::uint64_t count) const {
-  const std::string_view type = array_.attribute("type").as_string();
-  for (const int bits : {8, 16, 32, 64})
-    if (type.ends_with(std::to_string(bits))) return count * std::uint64_t(bits) / 8;
-  return 0;  // numbers() reports the unknown type
+  char size[8] = {};
+  std::memcpy(size, bytes.data() + k * width, width);
+  if (storage_.big) std::reverse(size, size + width);
+  std::uint64_t value;
+  std::memcpy(&value, size, sizeof value);
+  return value;
 }
 
 std::string ArrayReader::plain(std::string_view bytes, std::uint64_t count) const {
   const std::uint64_t size = size_at(bytes, 0);
   bytes.remove_prefix(storage_.header_bytes);
   if (size != bytes_of(count))
-    fail(fmt::format("{} bytes, and there must be {}; save the file again", size, bytes_of(count)));
+    fail(fmt::format("{} bytes instead of {}; save the file again", size, bytes_of(count)));
   if (size > bytes.size()) fail_short();
   return std::string(bytes.substr(0, size));
 }
@@ -154,8 +172,7 @@ std::string ArrayReader::inflated(std::string_view bytes, std::uint64_t count) c
     if (all.size() > bytes_of(count)) break;
   }
   if (all.size() != bytes_of(count))
-    fail(fmt::format("{} bytes, and there must be {}; save the file again", all.size(),
-                     bytes_of(count)));
+    fail(fmt::format("{} bytes instead of {}; save the file again", all.size(), bytes_of(count)));
   return all;
 }
 
@@ -169,38 +186,15 @@ std::string ArrayReader::inflated_block(std::string_view bytes, std::uint64_t si
   return block;
 }
 
-template <class T> std::vector<double> ArrayReader::as(const std::string& bytes) const {
-  std::vector<double> values(bytes.size() / sizeof(T));
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    T value;
-    std::memcpy(&value, bytes.data() + k * sizeof value, sizeof value);
-    values[k] = double(value);
-  }
-  return values;
-}
-
-std::vector<double> ArrayReader::numbers(const std::string& bytes, std::uint64_t count) const {
-  const std::string_view type = array_.attribute("type").as_string();
-  std::vector<double> values;
-  if (type == "Float32") values = as<float>(bytes);
-  else if (type == "Float64") values = as<double>(bytes);
-  else if (type == "Int8") values = as<std::int8_t>(bytes);
-  else if (type == "UInt8") values = as<std::uint8_t>(bytes);
-  else if (type == "Int16") values = as<std::int16_t>(bytes);
-  else if (type == "UInt16") values = as<std::uint16_t>(bytes);
-  else if (type == "Int32") values = as<std::int32_t>(bytes);
-  else if (type == "UInt32") values = as<std::uint32_t>(bytes);
-  else if (type == "Int64") values = as<std::int64_t>(bytes);
-  else if (type == "UInt64") values = as<std::uint64_t>(bytes);
-  else fail("its type is unknown; save it as Float32 or Float64");
-  if (values.size() != count) fail_short();
-  return values;
-}
-
 }  // namespace
 
+std::size_t components_of(const pugi::xml_node& array) {
+  const auto count = count_in(array.attribute("NumberOfComponents").as_string("1"));
+  return count && *count <= most_components ? std::size_t(*count) : 0;
+}
+
 std::vector<double> read_vtk_array(const VtkArray& array, std::uint64_t count,
-                                   const VtkStorage& storage, const PointSink& sink) {
+                                   const VtkStorage& storage, PointSink& sink) {
   return ArrayReader(array, storage, sink).read(count);
 }
 

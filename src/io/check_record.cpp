@@ -38,14 +38,27 @@ void check_series(const std::string& name, const SeriesRecord& series) {
       fail_for_checkpoint(fmt::format("the series \"{}\" has a file of the time {}", name, time));
 }
 
+void check_interval(const std::string& table, const IntervalRecord& interval) {
+  const std::size_t n = interval.seconds.size();
+  bool good =
+      interval.low.size() == n && interval.high.size() == n && interval.integral.size() == n;
+  for (const double seconds : interval.seconds) good &= is_past(seconds);
+  if (!good) fail_for_checkpoint(fmt::format("its statistics for the table {} are invalid", table));
+}
+
 }  // namespace
 
 void check_record(const RunRecord& r) {
   if (!is_past(r.seconds) || !is_past(r.observed.time))
     fail_for_checkpoint(
         fmt::format("its run took {} s, and was observed at {} s", r.seconds, r.observed.time));
+  const auto is_rate = [](double x) { return x > 0 && std::isfinite(x); };
+  if (r.video && !(is_rate(r.video->fps) && is_rate(r.video->speed) && r.video->file.is_absolute()))
+    fail_for_checkpoint(fmt::format("its video {} has {} pictures per second and the speed {}",
+                                    r.video->file.string(), r.video->fps, r.video->speed));
   for (const auto& [name, table] : r.tables) check_table(name, table);
   for (const auto& [name, series] : r.series) check_series(name, series);
+  for (const auto& [table, interval] : r.intervals) check_interval(table, interval);
   for (const auto& [output, step] : r.written)
     if (step < 0 || step > most_counted)
       fail_for_checkpoint(fmt::format("the output \"{}\" was written after step {}", output, step));

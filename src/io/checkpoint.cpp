@@ -39,16 +39,17 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WatchRecord, warnings, tracks, steps_watched,
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Flow, kind, name, particles, volume, rate, waiting)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TableRecord, header, bytes, scheduled, sha256, scheduled_sha256)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeriesRecord, times, scheduled)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(IntervalRecord, low, high, integral, seconds)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Simulation::Moment, time, impulses, passed)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunRecord, scene_name, seconds, observed, wall_forces, flows,
-                                   tables, series, written)
+                                   tables, series, intervals, written)
 
 namespace {
 
 using JsonHeader = nlohmann::json;
 
 // The format changes with whatever makes an older program misread a newer file, or the reverse.
-constexpr int format = 5;
+constexpr int format = 6;
 constexpr std::string_view magic = "Freshet checkpoint\n";
 constexpr std::size_t block = 512;  // HDF5 searches its signature at 0, 512, 1024 ...
 const std::string no_digest(64, '0');
@@ -126,16 +127,19 @@ JsonHeader json_of(const RunCheckpoint& c) {
                       {"count", a.count},
                       {"components", a.components},
                       {"number", number_words[int(a.number)]}});
-  return {{"steps", c.steps},
-          {"time", c.time},
-          {"edited", c.edited},
-          {"walls_sha256", c.walls_sha256},
-          {"time_steps", c.time_steps},
-          {"solves", finite(c.solves)},
-          {"retries_help", c.retries_help},
-          {"watch", finite(c.watch)},
-          {"run", c.run},
-          {"arrays", arrays}};
+  JsonHeader json{{"steps", c.steps},
+                  {"time", c.time},
+                  {"edited", c.edited},
+                  {"walls_sha256", c.walls_sha256},
+                  {"time_steps", c.time_steps},
+                  {"solves", finite(c.solves)},
+                  {"retries_help", c.retries_help},
+                  {"watch", finite(c.watch)},
+                  {"run", c.run},
+                  {"arrays", arrays}};
+  if (const auto& video = c.run.video)
+    json["video"] = {{"file", video->file.string()}, {"fps", video->fps}, {"speed", video->speed}};
+  return json;
 }
 
 void read_json(const JsonHeader& json, RunCheckpoint& c) {
@@ -148,6 +152,8 @@ void read_json(const JsonHeader& json, RunCheckpoint& c) {
   json.at("retries_help").get_to(c.retries_help);
   json.at("watch").get_to(c.watch);
   json.at("run").get_to(c.run);
+  if (const auto video = json.find("video"); video != json.end())
+    c.run.video = {video->at("file").get<std::string>(), video->at("fps"), video->at("speed")};
   for (const JsonHeader& a : json.at("arrays"))
     c.arrays.push_back({{a.at("name"), nullptr, a.at("count"), a.at("components"),
                          number_of(a.at("number")), StateArray::Role::other},
@@ -257,9 +263,8 @@ RunCheckpoint decode_checkpoint(std::string_view bytes, const std::string& file)
 }
 
 RunCheckpoint read_checkpoint(const std::filesystem::path& file) {
-  constexpr InputFile checkpoint_file{.noun = "checkpoint",
-                                      .remedy = "use another checkpoint",
-                                      .kind = Error::Kind::run};
+  constexpr InputFile checkpoint_file{
+      .noun = "checkpoint", .remedy = "use another checkpoint", .kind = Error::Kind::run};
   return decode_checkpoint(read_input(file, checkpoint_file), file.string());
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "freshet/checkpoint.h"
+#include "freshet/run.h"
 #include "freshet/simulation.h"
 #include "freshet/vector.h"
 
@@ -30,6 +32,13 @@ struct SeriesRecord {
   bool operator==(const SeriesRecord&) const = default;
 };
 
+/// Statistics of some quantities over the steps since a row of a table. Steps with NaN are skipped.
+struct IntervalRecord {
+  std::vector<double> low, high, integral;  ///< integral: over time
+  std::vector<double> seconds;              ///< of the steps
+  bool operator==(const IntervalRecord&) const = default;
+};
+
 /// The state of the outputs of a run.
 struct RunRecord {
   std::string scene_name;                       ///< for report.json
@@ -39,6 +48,8 @@ struct RunRecord {
   std::vector<Flow> flows;                      ///< as last observed
   std::map<std::string, TableRecord> tables;    ///< by file name
   std::map<std::string, SeriesRecord> series;   ///< by output
+  std::map<std::string, IntervalRecord> intervals;  ///< by file name of the table
+  std::optional<VideoOptions> video;            ///< with an absolute path
   std::map<std::string, std::int64_t> written;  ///< by output: the step after which it last wrote
 };
 

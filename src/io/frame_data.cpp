@@ -91,20 +91,6 @@ std::string encode_csv(const Frame& frame, const DataFields& fields) {
   return fmt::to_string(text);
 }
 
-std::string encode_frame(DataFormat format, const Frame& frame, const DataFields& fields) {
-  switch (format) {
-    case DataFormat::vtp:
-      return encode_vtp(frame, fields);
-    case DataFormat::ply:
-      return encode_ply(frame, fields);
-    case DataFormat::csv:
-      return encode_csv(frame, fields);
-    case DataFormat::hdf5:
-      return encode_hdf5(frame, fields);
-  }
-  return {};
-}
-
 std::string encode_pvd(std::span<const double> times, std::span<const std::string> files) {
   std::string text =
       "<?xml version=\"1.0\"?>\n"
@@ -114,11 +100,6 @@ std::string encode_pvd(std::span<const double> times, std::span<const std::strin
     text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", times[k],
                         std::filesystem::path(files[k]).filename().string());
   return text + "  </Collection>\n</VTKFile>\n";
-}
-
-std::string data_file(DataFormat format, std::int64_t k) {
-  static constexpr const char* extensions[] = {"vtp", "ply", "csv", "h5"};
-  return fmt::format("data/frame_{:04}.{}", k, extensions[int(format)]);
 }
 
 std::vector<std::string> data_files(const Scene::Output& output, std::int64_t frames) {

@@ -39,13 +39,22 @@ template <int D, class Kernel> double mean_distance(const Kernel& W, double supp
   return sum;
 }
 
-/// sum_j |grad W(x_j)|^2 over a lattice [1/m^(2D + 2)].
+/// sum_j |grad W(x_j)|^2 over a lattice [1/m^(2D + 2)]. In 3D a float's squares overflow at
+/// spacings of micrometres and underflow at 100 km, so gradients are divided by a power of two
+/// before.
 template <int D, class Kernel>
 double lattice_response(const Kernel& W, double spacing, double support_radius) {
+  Vec<D> aside{};
+  aside.x = Real(spacing);
+  const Real typical = W.gradient(Pair<D, Real>(aside)).x;
+  const int exponent = typical < 0 ? std::ilogb(typical) : 0;
   double sum = 0;
-  on_lattice<D>(spacing, support_radius,
-                [&](Vec<D> x) { sum += double(norm2(W.gradient(Pair<D, Real>(x)))); });
-  return sum;
+  on_lattice<D>(spacing, support_radius, [&](Vec<D> x) {
+    Vec<D> g = W.gradient(Pair<D, Real>(x));
+    for (int d = 0; d < D; ++d) component(g, d) = std::ldexp(component(g, d), -exponent);
+    sum += double(norm2(g));
+  });
+  return std::ldexp(sum, 2 * exponent);
 }
 
 /// The largest eigenvalue of the pressure equations on an infinite lattice over their diagonal:
@@ -100,24 +109,43 @@ double lattice_sum(const Kernel& W, double spacing, double support_radius) {
   return sum * std::pow(spacing, D);
 }
 
-/// The distance [spacings] at which a single layer of boundary particles replaces the missing half
-/// of a lattice that fills a half space. The layer has the lattice's spacing, and its particles
-/// have the volume 1/sum_l W_kl each. At this distance the density sum of the outermost lattice
-/// layer is the rest density. It is found by bisection.
-template <int D, class Kernel>
-double single_layer_distance(const Kernel& W, double spacing, double support_radius) {
-  const auto layer = [&](double away) { return layer_sum<D>(W, spacing, support_radius, away); };
-  double missing = 0;
-  for (int k = 1; k * spacing < support_radius; ++k) missing += layer(k);
-  const double wanted =
-      layer(0) * missing * std::pow(spacing, D) / lattice_sum<D>(W, spacing, support_radius);
-  double near = 1, far = support_radius / spacing;
-  for (int step = 0; step < 40; ++step) {
-    const double middle = (near + far) / 2;
-    (layer(middle) > wanted ? near : far) = middle;
+/// A single layer of boundary particles in place of the missing half of a lattice that fills a half
+/// space. The layer has the lattice's spacing. It is right if the density sum of the outermost
+/// lattice layer is the rest density.
+template <int D, class Kernel> class SingleLayer {
+ public:
+  SingleLayer(const Kernel& W, double spacing, double support_radius)
+      : W_(W), spacing_(spacing), support_(support_radius) {
+    double missing = 0;
+    for (int k = 1; k * spacing < support_radius; ++k) missing += layer(k);
+    lattice_ = lattice_sum<D>(W, spacing, support_radius) / std::pow(spacing, D);
+    wanted_ = layer(0) * missing / lattice_;
+    self_ = double(W(Pair<D, Real>(Vec<D>{})));
   }
-  return near;
-}
+  /// The volumes of its particles over 1/sum_l W_kl, for a layer `away` spacings from the lattice.
+  /// A particle alone in the layer must be compressed, or else it would stay there or pass through:
+  /// its density is at least 1.05 times the rest density.
+  double volume_factor(double away) const {
+    return std::max(wanted_ / layer(away), std::min(1.0, 1.05 - self_ / lattice_));
+  }
+  /// The distance [spacings] at which the factor is 1, by bisection.
+  double distance() const {
+    double near = 1, far = support_ / spacing_;
+    for (int step = 0; step < 40; ++step) {
+      const double middle = (near + far) / 2;
+      (layer(middle) > wanted_ ? near : far) = middle;
+    }
+    return near;
+  }
+
+ private:
+  double layer(double away) const { return layer_sum<D>(W_, spacing_, support_, away); }
+
+  const Kernel& W_;
+  double spacing_, support_;
+  double lattice_, self_;  // kernel sum of a lattice particle, and its own part [1/m^D]
+  double wanted_;
+};
 
 }  // namespace FRESHET_ISA
 }  // namespace freshet

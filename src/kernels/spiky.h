@@ -10,7 +10,8 @@ inline namespace FRESHET_ISA {
 /// separates particles that are close.
 ///
 ///   h         support radius [m], h > 0
-///   gradient  [1/m^(D+1)]; zero within 1e-6 m of the centre, where its direction is undefined
+///   gradient  [1/m^(D+1)]; zero within 1e-6 m and 1e-4 h of the centre, where its direction is
+///             undefined
 ///   factor    numerator of c over pi h^(D+3): 30 (2D) or 45 (3D) for the derivative of W. The
 ///             article uses 10 in 2D, a third of the derivative.
 template <int D> struct Spiky {
@@ -24,7 +25,8 @@ template <int D> struct Spiky {
   }
   template <class R> FRESHET_HD Vec<D, R> gradient(const Pair<D, R>& ij) const {
     const R d = max(h - ij.r, R(0));
-    return select(ij.r > R(1e-6f), -c * d * d / ij.r, R(0)) * ij.x;
+    const Real least = min(Real(1e-6f), Real(1e-4f) * h);
+    return select(ij.r > R(least), -c * d * d / ij.r, R(0)) * ij.x;
   }
 };
 

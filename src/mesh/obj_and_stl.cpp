@@ -41,7 +41,7 @@ class PlainObj {
       fail_for_corner(greatest_);
     }
     place_.line = 0;
-    if (faces_ == 0) place_.fail("there is no face in it; is it the right file?");
+    if (faces_ == 0) place_.fail("the mesh has no faces; export it again");
     return fmt::to_string(out_);
   }
 
@@ -125,7 +125,6 @@ class PlainObj {
 };
 
 void check_ascii_stl(std::string_view bytes, const FilePlace& place) {
-  constexpr const char* spaces = " \t\r\n";
   if (bytes.find('\0') != std::string_view::npos)
     place.fail("it begins as ascii STL and has a zero byte; it is cut off or damaged");
   std::size_t facets = 0, vertices = 0;
@@ -133,11 +132,11 @@ void check_ascii_stl(std::string_view bytes, const FilePlace& place) {
   const auto check_facet = [&] {
     if (vertices != 3 * facets)
       place.fail(
-          fmt::format("facet {} has not 3 vertices; it is cut off or damaged, export the "
-                      "mesh again",
+          fmt::format("facet {} must have 3 vertices; the file is cut off or damaged, export "
+                      "the mesh again",
                       facets == 0 ? 0 : facets - 1));
   };
-  for (std::string_view word; !(word = take_word(bytes, spaces)).empty();) {
+  for (std::string_view word; !(word = take_word(bytes, white_space)).empty();) {
     if (word == "solid" || word == "endsolid") {
       ended = word == "endsolid";
       take_line(bytes);  // its name
@@ -146,11 +145,11 @@ void check_ascii_stl(std::string_view bytes, const FilePlace& place) {
       ++facets;
     } else if (word == "vertex") {
       ++vertices;
-      for (int k = 0; k < 3; ++k) coordinate(take_word(bytes, spaces), place);
+      for (int k = 0; k < 3; ++k) coordinate(take_word(bytes, white_space), place);
     }
   }
   check_facet();
-  if (facets == 0) place.fail("there is no facet in it; is it the right file?");
+  if (facets == 0) place.fail("the mesh has no facets; export it again");
   if (!ended) place.fail("it ends without endsolid; it is cut off");
 }
 
@@ -167,16 +166,16 @@ void check_stl(std::string_view bytes, FilePlace& place) {
   if (bytes.size() >= first) std::memcpy(&facets, bytes.data() + head, sizeof facets);
   const std::uint64_t whole = first + std::uint64_t(facets) * facet;
   if (bytes.size() == whole && facets == 0)
-    place.fail("there is no triangle in it; is it the right file?");
+    place.fail("the mesh has no triangles; export it again");
   if (bytes.size() == whole) return;
   if (ascii) return check_ascii_stl(bytes, place);
   if (bytes.size() < first)
     place.fail(
-        fmt::format("cannot be read as a mesh: it does not begin with \"solid\", and {} "
+        fmt::format("not STL: it does not begin with \"solid\", and {} "
                     "bytes are too few for binary STL; export the mesh again",
                     bytes.size()));
   place.fail(
-      fmt::format("cannot be read as a mesh: binary STL with {} triangles has {} bytes, and "
+      fmt::format("binary STL with {} triangles has {} bytes, and "
                   "this file has {}; it is cut off or damaged",
                   facets, whole, bytes.size()));
 }

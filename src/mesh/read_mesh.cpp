@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 #include "core/input_file.h"
@@ -46,8 +48,8 @@ TriangleMesh read_by_assimp(std::string_view bytes, const char* format, const Fi
   const aiScene* scene = importer.ReadFileFromMemory(
       bytes.data(), bytes.size(), aiProcess_Triangulate | aiProcess_PreTransformVertices, format);
   if (!scene)
-    place.fail("cannot be read as a mesh (" +
-               std::string(importer.GetErrorString()).substr(0, 200) + "); is it whole?");
+    place.fail("not a valid mesh (" + std::string(importer.GetErrorString()).substr(0, 200) +
+               "); export it again");
   TriangleMesh mesh;
   for (unsigned k = 0; k < scene->mNumMeshes; ++k) append(*scene->mMeshes[k], mesh, place);
   return mesh;
@@ -57,11 +59,25 @@ TriangleMesh read_by_assimp(std::string_view bytes, const char* format, const Fi
 
 TriangleMesh read_by_assimp(std::string_view, const char*, const FilePlace& place) {
   place.fail(
-      "this Freshet was built without Assimp, which reads *.stl and *.obj; convert the mesh to "
-      "*.ply, or install libassimp-dev and build it anew");
+      "this build reads no *.stl and no *.obj, as Assimp was missing; convert the mesh to *.ply, "
+      "or install libassimp-dev and build again");
 }
 
 #endif
+
+TriangleMesh read_obj_mesh(std::string_view bytes, FilePlace& place) {
+  return read_by_assimp(plain_obj(bytes, place), "obj", place);
+}
+
+TriangleMesh read_stl_mesh(std::string_view bytes, FilePlace& place) {
+  check_stl(bytes, place);
+  return read_by_assimp(bytes, "stl", place);
+}
+
+constexpr struct {
+  const char* extension;
+  TriangleMesh (*read)(std::string_view bytes, FilePlace& place);
+} mesh_formats[] = {{".stl", read_stl_mesh}, {".obj", read_obj_mesh}, {".ply", read_ply_mesh}};
 
 }  // namespace
 
@@ -73,19 +89,13 @@ bool reads_meshes() { return false; }
 
 TriangleMesh mesh_in(std::string_view bytes, const std::filesystem::path& file) {
   FilePlace place(file.string());
-  TriangleMesh mesh;
   const std::string extension = extension_of(file);
-  if (extension == ".ply") {
-    mesh = read_ply_mesh(bytes, place);
-  } else if (extension == ".obj") {
-    mesh = read_by_assimp(plain_obj(bytes, place), "obj", place);
-  } else if (extension == ".stl") {
-    check_stl(bytes, place);
-    mesh = read_by_assimp(bytes, "stl", place);
-  } else {
-    place.fail("not *.stl, *.obj or *.ply; convert it to one");
-  }
-  if (mesh.triangles.empty()) place.fail("there is no triangle in it; is it the right file?");
+  const auto format = std::find_if(std::begin(mesh_formats), std::end(mesh_formats),
+                                   [&](const auto& f) { return extension == f.extension; });
+  if (format == std::end(mesh_formats))
+    place.fail("not a known format of meshes (*.stl, *.obj or *.ply); export it as one of them");
+  TriangleMesh mesh = format->read(bytes, place);
+  if (mesh.triangles.empty()) place.fail("the mesh has no triangles; export it again");
   return mesh;
 }
 

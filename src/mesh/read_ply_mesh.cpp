@@ -22,7 +22,8 @@ class PlyMeshReader {
     const PlyElement &vertices = element(h, "vertex"), &faces = element(h, "face");
     for (int k = 0; k < 3; ++k) axis_[k] = axis(vertices, k);
     list_ = index_list(faces);
-    if (faces.count == 0) fail("there is no face in it; is it a file of points?");
+    if (faces.count == 0)
+      fail("the mesh has no faces; export it with faces, or use shape = \"points\"");
     vertices_ = vertices.count;
     if (vertices.count > most_ply_items || faces.count > most_ply_items)
       fail(fmt::format("{} vertices and {} faces; the maximum is {} of each, use a coarser mesh",

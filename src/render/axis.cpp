@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace freshet {
 namespace {
@@ -69,6 +70,13 @@ Ticks ticks_of(Range range, int about) {
                            fmt::format("{:.{}f}", std::abs(value / unit), decimals));
   }
   return ticks;
+}
+
+std::string axis_title(const std::string& quantity, std::string unit) {
+  for (const auto& [plain, raised] : {std::pair("^2", "²"), std::pair("^3", "³")})
+    if (const auto at = unit.find(plain); at != std::string::npos) unit.replace(at, 2, raised);
+  if (unit.empty()) return quantity;
+  return quantity + (quantity.empty() ? "[" : " [") + unit + "]";
 }
 
 std::string with_factor(std::string label, const std::string& factor) {

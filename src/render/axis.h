@@ -27,6 +27,10 @@ struct Ticks {
 /// About `about` ticks at a distance of 1, 2 or 5 times a power of ten.
 Ticks ticks_of(Range range, int about);
 
+/// A quantity and its unit with raised exponents: axis_title("density", "kg/m^3") is
+/// "density [kg/m³]".
+std::string axis_title(const std::string& quantity, std::string unit);
+
 /// A label with the factor before its unit: "force [10³ N]".
 std::string with_factor(std::string label, const std::string& factor);
 

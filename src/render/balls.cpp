@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "render/stage.h"
+#include "scene/model/picture_layout.h"
 #include "scene/sample/point_cloud.h"
 
 namespace freshet {
@@ -157,7 +158,8 @@ template <class F> void share_out(int n, int threads, F f) {
 
 Image draw_balls(const Scene& scene, const Frame& fluid, const Coloring& colors, int threads) {
   const Color ground = ground_color(scene);
-  Image image(int(scene.picture.width), int(scene.picture.height), ground);
+  const PictureLayout layout = picture_layout(scene);
+  Image image(layout.view.width, layout.view.height, ground);
   const int wide = oversampling * image.width, high = oversampling * image.height;
   const View view(pose_at(scene, fluid.time), wide, high);
   const Stage stage(scene, fluid, view, ground);
@@ -171,7 +173,9 @@ Image draw_balls(const Scene& scene, const Frame& fluid, const Coloring& colors,
     bands.each_in(k, [&](std::uint32_t ball) { band.draw(balls.all[ball], ball); });
     resolve(band, balls, shade, image);
   });
-  return image;
+  Image whole(layout.width, layout.height, ground);
+  whole.paste(image, layout.view.left, layout.view.top);
+  return whole;
 }
 
 }  // namespace freshet

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <numbers>
 
+#include "scene/model/picture_layout.h"
+
 namespace freshet {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double view_margin = 0.06;                   // fraction of the picture
-constexpr double from_right = 0.5, from_above = 0.42;  // default direction of the eye [rad]
 
 Point middle_of(const Scene& s) { return 0.5 * (point_of(s.domain.min) + point_of(s.domain.max)); }
 
@@ -29,7 +30,8 @@ Point turned(Point p, double angle) {
 double distance_for(const Scene& s, Point target, Point towards, double field_of_view) {
   const View view({target + towards, target, field_of_view}, 1, 1);
   const double up = (1 - 2 * view_margin) * std::tan(field_of_view * degree / 2);
-  const double across = up * double(s.picture.width) / double(s.picture.height);
+  const PictureLayout layout = picture_layout(s);
+  const double across = up * double(layout.view.width) / double(layout.view.height);
   double distance = 0;
   each_corner(s, [&](Point corner) {
     const Point q = corner - target;
@@ -43,14 +45,14 @@ double distance_for(const Scene& s, Point target, Point towards, double field_of
 /// The default position of a camera. That of an orbiting camera sees the whole domain from every
 /// angle.
 Point place_for(const Scene& s, const Scene::Camera& c, Point target) {
-  const Point front{0, std::sin(from_above), std::cos(from_above)};
+  const Point front{0, std::sin(camera_from_above), std::cos(camera_from_above)};
   const int steps = c.orbit == 0 ? 1 : 36;
   double distance = 0;
   for (int k = 0; k < steps; ++k) {
-    const double angle = from_right + 2 * std::numbers::pi * k / steps;
+    const double angle = camera_from_right + 2 * std::numbers::pi * k / steps;
     distance = std::max(distance, distance_for(s, target, turned(front, angle), c.field_of_view));
   }
-  return target + distance * turned(front, from_right);
+  return target + distance * turned(front, camera_from_right);
 }
 
 /// The target that centres the corners of the domain in the picture.

@@ -3,16 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
+#include "render/axis.h"
 #include "render/dots.h"
 #include "scene/model/background.h"
 
 namespace freshet {
 namespace {
-
-constexpr float dimmest_full_speed = 0.1f;  // minimum speed at the red end of the map [m/s]
 
 // Colours at equal distances. Sources: water is our own; viridis and inferno are by Smith and van
 // der Walt (CC0); coolwarm is from the table of Moreland, "Diverging Color Maps for Scientific
@@ -49,96 +47,29 @@ Color between(std::span<const Color> colors, float t) {
   return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
 }
 
-float speed_of(const Frame& f, std::size_t i) {
-  float sum = 0;
-  for (std::size_t d = 0; d < std::size_t(f.dimension); ++d) {
-    const float u = f.v[std::size_t(f.dimension) * i + d];
-    sum += u * u;
-  }
-  return std::sqrt(sum);
-}
-
-/// The liquid of particle i; 0 for an index beyond `count`, because a file may hold any number.
-std::size_t liquid_of(const Frame& f, std::size_t i, std::size_t count) {
-  const std::size_t k = f.liquid.empty() ? 0 : std::size_t(f.liquid[i]);
-  return k < count ? k : 0;
-}
-
-float value_of(const Scene& s, const std::vector<float>& rest_density, const Frame& f,
-               std::size_t i) {
-  const auto d = std::size_t(f.dimension);
-  switch (s.picture.color_by) {
-    case ColorBy::speed:
-      return speed_of(f, i);
+ColorMap default_map(ColorBy quantity) {
+  switch (quantity) {
     case ColorBy::velocity_x:
-      return f.v[d * i];
     case ColorBy::velocity_y:
-      return f.v[d * i + 1];
     case ColorBy::velocity_z:
-      return f.v[d * i + d - 1];
-    case ColorBy::density:
-      return f.density[i];
     case ColorBy::density_error:
-      return f.density[i] / rest_density[liquid_of(f, i, rest_density.size())] - 1;
-    case ColorBy::pressure:
-      return f.pressure[i];
-    case ColorBy::height:
-      return f.x[d * i + 1];
-    case ColorBy::id:
-      return float(f.id[i]);
-    case ColorBy::liquid:
-      return float(liquid_of(f, i, rest_density.size()));
-  }
-  return 0;
-}
-
-std::string label_of(const Scene& s) {
-  const bool flat = s.dimension() == 2;
-  switch (s.picture.color_by) {
+      return ColorMap::coolwarm;
     case ColorBy::speed:
-      return "speed [m/s]";
-    case ColorBy::velocity_x:
-      return "velocity x [m/s]";
-    case ColorBy::velocity_y:
-      return "velocity y [m/s]";
-    case ColorBy::velocity_z:
-      return "velocity z [m/s]";
-    case ColorBy::density:
-      return flat ? "density [kg/m²]" : "density [kg/m³]";
-    case ColorBy::density_error:
-      return "density error";
-    case ColorBy::pressure:
-      return flat ? "pressure [N/m]" : "pressure [Pa]";
-    case ColorBy::height:
-      return "height [m]";
-    case ColorBy::id:
-      return "id";
     case ColorBy::liquid:
-      return "liquid";
+      return ColorMap::water;
+    default:
+      return ColorMap::viridis;
   }
-  return "";
 }
 
-/// Sets the range to that of the values; for signed quantities it is symmetric about zero.
-void fit_range(ColorBy what, Coloring& c) {
-  float low = std::numeric_limits<float>::max(), high = -low;
-  for (const float v : c.values)
-    if (std::isfinite(v)) {
-      low = std::min(low, v);
-      high = std::max(high, v);
-    }
-  const bool sign = what == ColorBy::velocity_x || what == ColorBy::velocity_y ||
-                    what == ColorBy::velocity_z || what == ColorBy::density_error;
-  if (what == ColorBy::speed) {
-    low = 0;
-    high = std::max(dimmest_full_speed, high);
-  } else if (sign) {
-    high = std::max(std::abs(low), std::abs(high));
-    low = -high;
-  }
-  if (low > high) low = high = 0;  // no values
-  c.low = low;
-  c.high = high > low ? high : low + std::max(1.0f, std::abs(low));
+ColorRange limits_of(const Scene& s, const Coloring& c, const Frame& frame,
+                     const ColorRanges& ranges) {
+  const auto& p = s.picture;
+  if (p.color_range.size() == 2) return {float(p.color_range[0]), float(p.color_range[1])};
+  if (p.color_scale == ColorScale::picture) return picture_limits(p.color_by, c.values);
+  const auto quantity = std::size_t(p.color_by);
+  const ColorRange& range = ranges[quantity];
+  return color_limits(s, range.is_empty() ? percentiles_of(s, frame)[quantity] : range);
 }
 
 }  // namespace
@@ -173,29 +104,29 @@ Color ground_color(const Scene& scene) {
 
 bool is_light(Color c) { return int(c.r) + c.g + c.b > 3 * 127; }
 
-Coloring color_particles(const Scene& s, const Frame& frame) {
-  const ColorMap map =
-      s.picture.color_map.value_or(frame.dimension == 2 ? ColorMap::article : ColorMap::water);
-  Coloring c{map, 0, 1, {}, label_of(s), {}};
-  const auto liquids = s.liquids();
-  std::vector<float> rest_density;
-  for (const Scene::Liquid& liquid : liquids) rest_density.push_back(float(liquid.rest_density));
+Coloring color_particles(const Scene& s, const Frame& frame, const ColorRanges& ranges) {
+  const ColorBy quantity = s.picture.color_by;
+  Coloring c{s.picture.color_map.value_or(default_map(quantity)),
+             0,
+             1,
+             {},
+             axis_title(quantity_name(quantity), quantity_unit(quantity, s.dimension())),
+             {}};
+  const std::vector<float> rest_density = rest_densities(s);
   c.values.reserve(frame.size());
   for (std::size_t i = 0; i < frame.size(); ++i)
-    c.values.push_back(value_of(s, rest_density, frame, i));
-  if (s.picture.color_by == ColorBy::liquid) {
+    c.values.push_back(quantity_value(quantity, rest_density, frame, i));
+  if (quantity == ColorBy::liquid) {
+    const auto liquids = s.liquids();
     for (std::size_t k = 0; k < liquids.size(); ++k)
       c.liquids.push_back(liquid_color(liquids[k].color, k));
     c.low = -0.5f;
     c.high = float(liquids.size()) - 0.5f;
     return c;
   }
-  if (s.picture.color_range.size() == 2) {
-    c.low = float(s.picture.color_range[0]);
-    c.high = float(s.picture.color_range[1]);
-  } else {
-    fit_range(s.picture.color_by, c);
-  }
+  const ColorRange limits = limits_of(s, c, frame, ranges);
+  c.low = limits.low;
+  c.high = limits.high;
   return c;
 }
 

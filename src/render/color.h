@@ -5,6 +5,7 @@
 
 #include "freshet/frame.h"
 #include "freshet/scene.h"
+#include "render/color_range.h"
 #include "render/image.h"
 
 namespace freshet {
@@ -29,7 +30,8 @@ struct Coloring {
   Color at(float t) const;
 };
 
-/// The colouring by the scene's picture.color_by, color_map and color_range.
-Coloring color_particles(const Scene& scene, const Frame& frame);
+/// The colouring by the scene's picture.color_by, color_map, color_range and color_scale. `ranges`
+/// are those of the run up to this frame. An empty range is replaced by that of the frame.
+Coloring color_particles(const Scene& scene, const Frame& frame, const ColorRanges& ranges = {});
 
 }  // namespace freshet

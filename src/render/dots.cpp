@@ -7,6 +7,7 @@
 #include "core/rotation.h"
 #include "render/bodies.h"
 #include "scene/model/body_shape.h"
+#include "scene/model/picture_layout.h"
 #include "scene/sample/region_surface.h"
 
 namespace freshet {
@@ -53,10 +54,14 @@ void add_dot(Image& image, int px, int py, Color color, int radius,
       }
 }
 
-void draw_frame(Image& image) {
+/// Draws the frame. In a stretched picture its lines reach the edges, as in the article.
+void draw_frame(Image& image, bool stretched) {
   const int right = image.width - margin, bottom = image.height - margin;
-  for (int x = 0; x < image.width; ++x) image.at(x, margin - 1) = image.at(x, bottom) = frame;
-  for (int y = 0; y < image.height; ++y) image.at(margin - 1, y) = image.at(right, y) = frame;
+  const int past = stretched ? 0 : margin - 1;
+  for (int x = past; x < image.width - past; ++x)
+    image.at(x, margin - 1) = image.at(x, bottom) = frame;
+  for (int y = past; y < image.height - past; ++y)
+    image.at(margin - 1, y) = image.at(right, y) = frame;
 }
 
 /// The distance from the left (or bottom) edge of the picture [px]. It is clamped to ±1e6, so that
@@ -66,19 +71,22 @@ int to_pixels(float x, double low, double high, int size) {
   return int(std::clamp(p, -1e6f, 1e6f));
 }
 
-/// The visible region: the domain, or picture.window.
+/// Maps the visible region to the view. Both axes have one scale unless picture.stretch is set: the
+/// region then grows by the rounding of the view to pixels.
 struct Window {
-  explicit Window(const Scene& s) : min(s.domain.min), max(s.domain.max) {
-    if (min.empty()) min = {0, 0};
-    if (const Vector& w = s.picture.window; w.size() == 4) {
-      min = {w[0], w[1]};
-      max = {w[2], w[3]};
+  Window(const Scene& s, const Image& view) : min(2), max(2) {
+    const PictureRegion region = picture_region(s);
+    const double room[] = {double(view.width - 2 * margin), double(view.height - 2 * margin)};
+    for (int d = 0; d < 2; ++d) scale[d] = room[d] / region.extent(d);
+    if (!s.picture.stretch) scale[0] = scale[1] = std::min(scale[0], scale[1]);
+    for (std::size_t d = 0; d < 2; ++d) {
+      const double more = s.picture.stretch ? 0 : room[d] / scale[d] - region.extent(int(d));
+      min[d] = region.min[d] - more / 2;
+      max[d] = region.max[d] + more / 2;
     }
   }
-  double pixels_per_metre(const Image& image, std::size_t axis) const {
-    return ((axis == 0 ? image.width : image.height) - 2 * margin) / (max[axis] - min[axis]);
-  }
   Vector min, max;
+  double scale[2];  // [px/m]
 };
 
 struct Extent {
@@ -86,8 +94,8 @@ struct Extent {
 };
 
 /// The rectangle of pixels that a wall may cover.
-Extent extent_of(const Scene::Wall& w, const Window& window, const double (&scale)[2],
-                 const Image& image) {
+Extent extent_of(const Scene::Wall& w, const Window& window, const Image& image) {
+  const double(&scale)[2] = window.scale;
   const int right = image.width - margin, bottom = image.height - margin;
   if (w.side == Side::inside || w.shape == Shape::plane) return {margin, margin, right, bottom};
   Vec<2, double> center{}, half{};
@@ -111,11 +119,11 @@ Extent extent_of(const Scene::Wall& w, const Window& window, const double (&scal
 
 /// Draws walls in grey with smooth edges.
 void draw_walls(Image& image, const Scene& s, const Window& window) {
-  const double scale[] = {window.pixels_per_metre(image, 0), window.pixels_per_metre(image, 1)};
+  const double(&scale)[2] = window.scale;
   for (const Scene::Wall& w : s.wall) {
     if (w.shape == Shape::points || (is_mesh(w) && !w.loaded)) continue;
-    const RegionSurface<2> surface(w);
-    const Extent e = extent_of(w, window, scale, image);
+    const RegionSurface<2> surface(w, s.particles.spacing);
+    const Extent e = extent_of(w, window, image);
     for (int y = e.top; y < e.bottom; ++y)
       for (int x = e.left; x < e.right; ++x) {
         const Vec<2, double> p{window.min[0] + (x + 0.5 - margin) / scale[0],
@@ -129,9 +137,9 @@ void draw_walls(Image& image, const Scene& s, const Window& window) {
 /// Draws bodies like walls. Pixels are transformed back to the body's initial position, where its
 /// shape is defined.
 void draw_bodies(Image& image, const Scene& s, const Window& window, const Frame& frame) {
-  const double scale[] = {window.pixels_per_metre(image, 0), window.pixels_per_metre(image, 1)};
+  const double(&scale)[2] = window.scale;
   for (std::size_t k = 0; k < std::min(s.body.size(), frame.bodies.size()); ++k) {
-    const RegionSurface<2> surface(s.body[k]);
+    const RegionSurface<2> surface(s.body[k], s.particles.spacing);
     const BodyShape shape = body_shape(s.body[k]);
     const BodyState& now = frame.bodies[k];
     const Rotation turn(now.orientation);
@@ -175,7 +183,7 @@ void add_dots(Image& image, const Scene& scene, const Window& window, const Fram
 /// Draws discs with smooth edges. Later particles cover earlier ones.
 void cover_with_discs(Image& image, const Scene& scene, const Window& window, const Frame& fluid,
                       const Coloring& colors) {
-  const double across = window.pixels_per_metre(image, 0), up = window.pixels_per_metre(image, 1);
+  const auto [across, up] = window.scale;
   const float natural =
       float(std::max(1.0, disc_girth / 2 * scene.particles.spacing * std::min(across, up)));
   const auto given = scene.picture.dot_radius;
@@ -207,13 +215,16 @@ Color speed_color(float t) {
 }
 
 Image draw_dots(const Scene& scene, const Frame& fluid, const Coloring& colors) {
-  Image image(int(scene.picture.width), int(scene.picture.height), ground_color(scene));
-  const Window window(scene);
-  draw_walls(image, scene, window);
-  if (scene.picture.dots == Dots::glow) add_dots(image, scene, window, fluid, colors);
-  else cover_with_discs(image, scene, window, fluid, colors);
-  draw_bodies(image, scene, window, fluid);
-  draw_frame(image);
+  const PictureLayout layout = picture_layout(scene);
+  Image view(layout.view.width, layout.view.height, ground_color(scene));
+  const Window window(scene, view);
+  draw_walls(view, scene, window);
+  if (scene.picture.dots == Dots::glow) add_dots(view, scene, window, fluid, colors);
+  else cover_with_discs(view, scene, window, fluid, colors);
+  draw_bodies(view, scene, window, fluid);
+  draw_frame(view, scene.picture.stretch);
+  Image image(layout.width, layout.height, ground_color(scene));
+  image.paste(view, layout.view.left, layout.view.top);
   return image;
 }
 

@@ -10,11 +10,8 @@ namespace freshet {
 /// The article's colour map of speed: blue - yellow - red for t, clamped to 0 ... 1.
 Color speed_color(float t);
 
-/// The margin between the picture's edge and the visible region in 2D [px].
-inline constexpr int picture_margin = 5;
-
 /// The picture of a 2D fluid: dots on the background, walls in grey, and a frame. Without `colors`
-/// it is the article's: soft dots that add up, coloured by speed over max(0.1, fastest).
+/// they are those of the frame alone.
 Image draw_dots(const Scene& scene, const Frame& fluid, const Coloring& colors);
 Image draw_dots(const Scene& scene, const Frame& fluid);
 

@@ -8,14 +8,16 @@
 #include <cmath>
 #include <memory>
 
-#include "render/dots.h"
+#include "render/axis.h"
 #include "render/font.h"
+#include "scene/model/picture_layout.h"
 
 namespace freshet {
 namespace {
 
 constexpr double longest_bar = 0.25;  // fraction of the picture's width
 constexpr double ground_opacity = 0.6;
+constexpr double color_bar_height = 0.75;  // fraction of the picture's height
 
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
@@ -23,14 +25,14 @@ using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 /// A transparent layer over the picture.
 class Sheet {
  public:
-  Sheet(Image& image, Color ground)
-      : image_(image),
+  Sheet(Image& image, Color ground, double font_size)
+      : size(font_size),
+        image_(image),
         surface_(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height),
                  cairo_surface_destroy),
         context_(cairo_create(surface_.get()), cairo_destroy),
         ground_(ground),
         ink_(is_light(ground) ? Color{20, 20, 24} : Color{240, 240, 245}) {
-    size = std::max(11.0, std::min(image.width, image.height) / 34.0);
     cairo_set_font_face(c(), font_.get());
     cairo_set_font_size(c(), size);
     cairo_font_options_t* options = cairo_font_options_create();
@@ -52,11 +54,20 @@ class Sheet {
     cairo_move_to(c(), x, y);
     cairo_show_text(c(), words.c_str());
   }
+  /// Writes text upwards, with its middle at y and its baseline at x.
+  void write_upwards(double x, double y, const std::string& words) {
+    cairo_save(c());
+    cairo_translate(c(), x, y + width_of(words) / 2);
+    cairo_rotate(c(), -std::acos(0.0));
+    write(0, 0, words);
+    cairo_restore(c());
+  }
   void fill(double x, double y, double width, double height, Color color, double opacity = 1) {
     cairo_set_source_rgba(c(), color.r / 255.0, color.g / 255.0, color.b / 255.0, opacity);
     cairo_rectangle(c(), x, y, width, height);
     cairo_fill(c());
   }
+  void scale_font(double factor) { cairo_set_font_size(c(), factor * size); }
   /// Draws a translucent background for text.
   void panel(double x, double y, double width, double height) {
     fill(x, y, width, height, ground_, ground_opacity);
@@ -82,7 +93,7 @@ class Sheet {
       }
   }
 
-  double size;  ///< font size [px]
+  const double size;  ///< font size [px]
 
  private:
   cairo_t* c() { return context_.get(); }
@@ -95,9 +106,12 @@ class Sheet {
   Color ground_, ink_;
 };
 
-double seen_width(const Scene& s) {
-  if (s.picture.window.size() == 4) return s.picture.window[2] - s.picture.window[0];
-  return s.domain.max[0] - (s.domain.min.empty() ? 0 : s.domain.min[0]);
+/// The horizontal scale of a 2D picture [px/m].
+double metre_in(const Scene& s, const PictureLayout& layout) {
+  const PictureRegion region = picture_region(s);
+  const double across = (layout.view.width - 2 * picture_margin) / region.extent(0);
+  const double up = (layout.view.height - 2 * picture_margin) / region.extent(1);
+  return s.picture.stretch ? across : std::min(across, up);
 }
 
 /// Draws the time stamp on a panel. Returns the panel's bottom.
@@ -118,22 +132,27 @@ void draw_scale(Sheet& sheet, double top, double metre, double most) {
   for (const double end : {x, x + wide - 2}) sheet.fill(end, y - 3, 2, 8, sheet.ink_color());
 }
 
-std::string value_words(float v) { return fmt::format("{:.3g}", v == 0 ? 0 : v); }
-
-void draw_colors(Sheet& sheet, const Image& image, const Coloring& c) {
-  const double em = sheet.size, tall = std::floor(image.height * 0.35), wide = em;
-  const std::string values[] = {value_words(c.high), value_words((c.low + c.high) / 2),
-                                value_words(c.low)};
-  double words = sheet.width_of(c.label) - wide - 0.5 * em;
-  for (const std::string& v : values) words = std::max(words, sheet.width_of(v));
-  const double across = wide + 0.5 * em + words, x = image.width - across - 1.3 * em;
-  const double top = 0.8 * em, y = top + 2.2 * em;
-  sheet.panel(x - 0.5 * em, top, across + em, tall + 3.2 * em);
-  sheet.write(x, top + 1.2 * em, c.label);
+/// Draws the colours, their values and the quantity in the strip right of the view.
+void draw_colors(Sheet& sheet, const PictureLayout& layout, const Coloring& c) {
+  const double em = sheet.size, tall = std::floor(color_bar_height * layout.height);
+  const double y = std::floor((layout.height - tall) / 2);
+  const double x = std::ceil(layout.width - layout.color_bar + 0.5 * em), wide = std::ceil(em);
   for (int k = 0; k < int(tall); ++k)
     sheet.fill(x, y + k, wide, 1, c.at(1 - (float(k) + 0.5f) / float(tall)));
-  for (int k = 0; k < 3; ++k)
-    sheet.write(x + wide + 0.5 * em, y + tall * k / 2 + 0.35 * em, values[k]);
+  const Ticks ticks =
+      ticks_of({double(c.low), double(c.high)}, std::clamp(int(tall / em / 3), 2, 6));
+  const double room = layout.color_bar - wide - 2.7 * em;
+  double words = room;
+  for (const std::string& label : ticks.labels) words = std::max(words, sheet.width_of(label));
+  sheet.scale_font(room / words);
+  for (std::size_t k = 0; k < ticks.values.size(); ++k) {
+    const double at = (ticks.values[k] - double(c.low)) / double(c.high - c.low);
+    sheet.write(x + wide + 0.4 * em, y + tall * (1 - at) + 0.35 * em * room / words,
+                ticks.labels[k]);
+  }
+  const std::string title = with_factor(c.label, ticks.factor);
+  sheet.scale_font(std::min(1.0, layout.height / (sheet.width_of(title) * words / room)));
+  sheet.write_upwards(layout.width - 0.6 * em, layout.height / 2.0, title);
 }
 
 }  // namespace
@@ -153,13 +172,13 @@ double round_length(double most) {
 void draw_overlays(Image& image, const Scene& scene, double time, const Coloring& colors) {
   const auto& p = scene.picture;
   if (!p.time_stamp && !p.scale_bar && !p.color_bar) return;
-  Sheet sheet(image, ground_color(scene));
+  const PictureLayout layout = picture_layout(scene);
+  Sheet sheet(image, ground_color(scene), layout.font_size());
   double top = 0.8 * sheet.size;
   if (p.time_stamp)
     top = draw_time(sheet, top, time_words(time, scene.time.end)) + 0.5 * sheet.size;
-  const double metre = (image.width - 2 * picture_margin) / seen_width(scene);
-  if (p.scale_bar) draw_scale(sheet, top, metre, longest_bar * image.width);
-  if (p.color_bar) draw_colors(sheet, image, colors);
+  if (p.scale_bar) draw_scale(sheet, top, metre_in(scene, layout), longest_bar * image.width);
+  if (p.color_bar) draw_colors(sheet, layout, colors);
   sheet.lay();
 }
 

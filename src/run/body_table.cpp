@@ -43,31 +43,31 @@ class BodyRows {
                        expected));
     rest_ = line;
     column_ = 0;
-    const double number = next("step");
-    const auto step = std::int64_t(number);
-    if (!(number >= 0 && double(step) == number)) fail("the step is not a whole number from 0");
-    next("time");
+    const double step = next("step");
+    if (!(step >= 0 && double(std::int64_t(step)) == step))
+      fail("the step is not a whole number from 0");
+    const double time = next("time");
     const std::string name = scene_.body_name(rows_.size());
     if (take_cell() != name)
       fail(
-          fmt::format("this row is not of the body \"{}\"; every step has a row for each body, "
+          fmt::format("this row is not of the body \"{}\"; every time has a row for each body, "
                       "in the order of the scene",
                       name));
-    if (rows_.empty() && !steps_.empty() && step <= steps_.rbegin()->first)
-      fail(fmt::format("the step is {}, and must be greater than that before, {}", step,
-                       steps_.rbegin()->first));
-    if (!rows_.empty() && step != step_)
+    if (rows_.empty() && !times_.empty() && time <= times_.rbegin()->first)
+      fail(fmt::format("the time is {:g}, and must be greater than that before, {:g}", time,
+                       times_.rbegin()->first));
+    if (!rows_.empty() && time != time_)
       fail(
-          fmt::format("the step is {}, and the row before is of step {}, which lacks a row of the "
-                      "body \"{}\"",
-                      step, step_, name));
-    step_ = step;
+          fmt::format("the time is {:g}, and the row before is of the time {:g}, which lacks a row "
+                      "of the body \"{}\"",
+                      time, time_, name));
+    time_ = time;
     BodyState body;
     each_number(body, [&](double& x) { x = next("value"); });
     rows_.push_back(body);
-    if (rows_.size() == scene_.body.size()) steps_[step_] = std::exchange(rows_, {});
+    if (rows_.size() == scene_.body.size()) times_[time_] = std::exchange(rows_, {});
   }
-  std::map<std::int64_t, std::vector<BodyState>> take() { return std::move(steps_); }
+  std::map<double, std::vector<BodyState>> take() { return std::move(times_); }
 
  private:
   [[noreturn]] void fail(const std::string& why) const {
@@ -93,9 +93,9 @@ class BodyRows {
   std::string columns_;
   std::size_t line_ = 1, column_ = 0;
   std::string_view rest_;  // of the line
-  std::int64_t step_ = 0;
-  std::vector<BodyState> rows_;  // of the step that is being read
-  std::map<std::int64_t, std::vector<BodyState>> steps_;
+  double time_ = 0;
+  std::vector<BodyState> rows_;  // of the time that is being read
+  std::map<double, std::vector<BodyState>> times_;
 };
 
 }  // namespace
@@ -113,20 +113,19 @@ std::string body_header(const Scene& s) {
   return line + "\n";
 }
 
-std::string body_lines(const Simulation& s) {
+std::string body_lines(const Frame& frame, const Scene& scene) {
   std::string lines;
-  const std::vector<BodyState> bodies = s.bodies();
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    lines += fmt::format("{},{:.9g},{}", s.steps_done(), s.time(), s.scene().body_name(k));
-    each_number(bodies[k], [&](double x) { lines += fmt::format(",{:.9g}", x == 0 ? 0.0 : x); });
+  for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
+    lines += fmt::format("{},{:.9g},{}", frame.step, frame.time, scene.body_name(k));
+    each_number(frame.bodies[k],
+                [&](double x) { lines += fmt::format(",{:.9g}", x == 0 ? 0.0 : x); });
     lines += '\n';
   }
   return lines;
 }
 
-std::map<std::int64_t, std::vector<BodyState>> read_bodies(std::string_view table,
-                                                           const Scene& scene,
-                                                           const std::string& file) {
+std::map<double, std::vector<BodyState>> read_bodies(std::string_view table, const Scene& scene,
+                                                     const std::string& file) {
   BodyRows rows(scene, file);
   table = table.substr(0, table.rfind('\n') + 1);  // a last line without its end is not complete
   rows.header(take_line(table));

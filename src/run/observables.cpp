@@ -1,40 +1,37 @@
 // SPDX-License-Identifier: MIT
 #include "run/observables.h"
-#include "core/text.h"
-#include "run/table.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "core/text.h"
+#include "run/interval.h"
+#include "run/table.h"
+
 namespace freshet {
 namespace {
 
-/// A column's name that any reader of CSV takes for one: a wall may be called as its scene likes.
-std::string quoted(const std::string& name) {
-  if (name.find_first_of(",\"\n\r") == std::string::npos) return name;
-  std::string out = "\"";
-  for (const char c : name) {
-    if (c == '"') out += '"';
-    out += c == '\n' || c == '\r' ? ' ' : c;  // a header is one line
-  }
-  return out + "\"";
-}
-
-/// The solves of a step, by their solver and in its order: a table has their columns before the
-/// first of them is done.
+/// The names of the solves of a step, in the order of the solver.
 std::vector<std::string> solve_names(const Scene& s) {
   std::vector<std::string> names(s.method().solves.begin(), s.method().solves.end());
   if (s.viscosity_method() == ViscosityMethod::weiler2018) names.push_back("viscosity");
   return names;
 }
 
-/// What has been solved under that name so far; nothing before the first step.
+/// The statistics of the solves of a name; zeros before the first step.
 SolveStatistics solve_named(const std::string& name, const Simulation& s) {
   const auto& solves = s.solves();
   const auto it = std::find_if(solves.begin(), solves.end(),
                                [&](const SolveStatistics& solve) { return solve.name == name; });
   return it == solves.end() ? SolveStatistics{} : *it;
+}
+
+/// The walls and bodies whose forces have statistics.
+std::vector<std::string> loaded_names(const Scene& s) {
+  std::vector<std::string> names = s.wall_names();
+  for (std::size_t k = 0; k < s.body.size(); ++k) names.push_back(s.body_name(k));
+  return names;
 }
 
 }  // namespace
@@ -56,17 +53,29 @@ std::string observables_header(const Scene& s) {
     const char* volume = flat ? "m^2" : "m^3";
     line += ",particles";
     for (const std::string& name : flows)
-      line += "," + quoted(fmt::format("volume through {} [{}]", name, volume)) + "," +
-              quoted(fmt::format("flow through {} [{}/s]", name, volume));
+      line += "," + csv_cell(fmt::format("volume through {} [{}]", name, volume)) + "," +
+              csv_cell(fmt::format("flow through {} [{}/s]", name, volume));
   }
   for (const std::string& name : s.wall_names())
     for (int d = 0; d < s.dimension(); ++d)
-      line += "," + quoted(fmt::format("force on {} {} [{}]", name, axis_letters[d], force));
+      line += "," + csv_cell(fmt::format("force on {} {} [{}]", name, axis_letters[d], force));
+  if (s.output.statistics)
+    for (const std::string& name : loaded_names(s))
+      for (int d = 0; d < s.dimension(); ++d)
+        line += interval_columns(fmt::format("force on {} {}", name, axis_letters[d]), force);
   return line + "\n";
 }
 
+std::vector<double> loads(const Simulation& s, const std::vector<Vector>& wall_forces) {
+  std::vector<double> all;
+  for (const Vector& force : wall_forces) all.insert(all.end(), force.begin(), force.end());
+  for (const BodyState& body : s.bodies())
+    all.insert(all.end(), body.force.begin(), body.force.begin() + s.scene().dimension());
+  return all;
+}
+
 std::string observables_line(const Simulation& s, const std::vector<Vector>& wall_forces,
-                             const std::vector<Flow>& flows) {
+                             const std::vector<Flow>& flows, const IntervalRecord& interval) {
   const Statistics t = s.statistics();
   const TimeSteps& steps = s.time_steps();
   std::string line = fmt::format("{},{:.9g},{:.9g},{},{:.9g}", s.steps_done(), s.time(), steps.last,
@@ -84,6 +93,9 @@ std::string observables_line(const Simulation& s, const std::vector<Vector>& wal
   for (const Flow& flow : flows) line += fmt::format(",{:.9g},{:.9g}", flow.volume, flow.rate);
   for (const Vector& force : wall_forces)
     for (const double f : force) line += fmt::format(",{:.9g}", f);
+  if (s.scene().output.statistics)
+    line += interval_cells(interval, 0,
+                           loaded_names(s.scene()).size() * std::size_t(s.scene().dimension()));
   return line + "\n";
 }
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <memory>
 
@@ -31,29 +33,38 @@ Provenance provenance(const Scene& scene, const Execution& execution,
           cpu ? thread_count(execution.threads) : 1};
 }
 
+RunRecord record_of(const RunOptions& options) {
+  RunRecord record;
+  record.scene_name = options.scene_name;
+  record.video = options.video;
+  if (record.video) record.video->file = std::filesystem::absolute(record.video->file);
+  return record;
+}
+
 }  // namespace
 
-Observer::Observer(Simulation& sim, FolderLock lock, RunRecord record, Inputs inputs,
-                   const std::optional<VideoOptions>& video)
+Observer::Observer(Simulation& sim, FolderLock lock, RunRecord record, Inputs inputs)
     : sim_(sim),
       schedule_(sim.scene()),
       record_(std::move(record)),
       inputs_(std::move(inputs)),
       folder_(std::move(lock)),
       tables_(record_, folder_, background_),
-      outputs_(outputs_of({sim_, schedule_, record_, folder_, background_, tables_}, video)) {
+      frames_(sim_),
+      outputs_(
+          outputs_of({sim_, schedule_, record_, folder_, background_, tables_, frames_, ranges_})) {
   prepare_checkpoints();
 }
 
 Observer::Observer(Simulation& sim, const RunOptions& options)
-    : Observer(sim, FolderLock::of_new(options.output), {}, inputs_of(sim.scene()), options.video) {
+    : Observer(sim, FolderLock::of_new(options.output), record_of(options),
+               inputs_of(sim.scene())) {
   begin_or_fail([&] { begin(options); });
 }
 
 Observer::Observer(Simulation& sim, const ResumeOptions& options, FolderLock lock, RunRecord record)
     : Observer(sim, std::move(lock), std::move(record),
-               {sim.scene().source, {}},  // the input files lie in the folder
-               {}) {
+               {sim.scene().source, {}}) {  // the input files lie in the folder
   begin_or_fail([&] { begin(options); });
 }
 
@@ -71,7 +82,6 @@ template <class Begin> void Observer::begin_or_fail(const Begin& begin) {
 void Observer::begin(const RunOptions& options) {
   folder_.take(options.overwrite ? RunFolder::Take::overwrite : RunFolder::Take::empty, plan(),
                provenance(sim_.scene(), options.execution, options.command));
-  record_.scene_name = options.scene_name;
   for (const auto& [name, bytes] : inputs_.files) folder_.write(name, bytes);
   folder_.write("scene.toml", inputs_.source);
   for (const auto& output : outputs_) output->start();
@@ -80,7 +90,6 @@ void Observer::begin(const RunOptions& options) {
 void Observer::begin(const ResumeOptions& options) {
   folder_.take(RunFolder::Take::resume, plan(),
                provenance(sim_.scene(), options.execution, options.command));
-  before_ = sim_.time();
   saved_ = sim_.steps_done();
   for (const auto& file : checkpoints_of(options.folder))
     checkpoints_.push_front(fmt::format("{}/{}", checkpoint_folder, file.filename().string()));
@@ -89,7 +98,9 @@ void Observer::begin(const ResumeOptions& options) {
   const bool prolonged = !sim_.finished();
   if (prolonged)
     for (auto& [name, series] : record_.series) series.times.resize(series.scheduled);
-  const std::vector<Diagnostic> missing = tables_.resume(prolonged);
+  std::vector<Diagnostic> missing = tables_.resume(prolonged);
+  for (const auto& output : outputs_)
+    for (Diagnostic& d : output->resume()) missing.push_back(std::move(d));
   if (options.warn && !missing.empty()) options.warn(missing);
 }
 
@@ -105,22 +116,26 @@ RunPlan Observer::plan() const {
   return plan;
 }
 
-void Observer::write(Output& output, const StepTaken& step) {
-  record_.written[output.name()] = sim_.steps_done();
-  output.write(step);
+void Observer::before_step() {
+  before_ = sim_.time();
+  const Scene::Time& time = sim_.scene().time;
+  const double longest = time.adaptive ? time.step_max.value_or(INFINITY) : time.step;
+  frames_.before_step(std::any_of(outputs_.begin(), outputs_.end(), [&](const auto& output) {
+    return output->shows_between(before_, before_ + longest);
+  }));
 }
 
 void Observer::after_step(double seconds) {
   record_.seconds = seconds;
   const StepTaken step{sim_.steps_done() - 1, before_, sim_.time(), false};
-  before_ = sim_.time();
   for (const auto& output : outputs_)
-    if (output->due(step)) write(*output, step);
+    if (output->write(step)) record_.written[output->name()] = sim_.steps_done();
   remember_scheduled();
   if (sim_.finished()) {
-    for (const auto& output : outputs_)
-      if (output->writes_the_end() && record_.written[output->name()] != sim_.steps_done())
-        write(*output, step);
+    for (const auto& output : outputs_) {
+      std::int64_t& written = record_.written[output->name()];
+      if (std::exchange(written, sim_.steps_done()) != sim_.steps_done()) output->write_end();
+    }
     return save();
   }
   const bool by_clock =
@@ -159,7 +174,7 @@ void Observer::save() {
 void Observer::finish(Report& report) {
   tables_.flush();
   background_.wait();
-  const Image result = draw(sim_.scene(), sim_.frame());
+  const Image result = draw(sim_.scene(), sim_.frame(), ranges_);
   report.picture = picture_statistics(result);
   const auto names = sim_.scene().wall_names();
   for (std::size_t w = 0; w < record_.wall_forces.size(); ++w)
@@ -186,7 +201,7 @@ std::string Observer::fail() {
   std::string message;
   try {
     if (whole) {
-      folder_.write_more(failure_picture, encode_png(draw(sim_.scene(), sim_.frame())));
+      folder_.write_more(failure_picture, encode_png(draw(sim_.scene(), sim_.frame(), ranges_)));
       tables_.flush_now();
       message = fmt::format("; {} shows the moment", (folder_.path() / failure_picture).string());
     }

@@ -24,6 +24,7 @@ class Observer {
   /// A resumed run; `record` is that of its checkpoint.
   Observer(Simulation& sim, const ResumeOptions& options, FolderLock lock, RunRecord record);
 
+  void before_step();
   /// `seconds`: what steps have taken so far.
   void after_step(double seconds);
   /// Writes a checkpoint of this moment, unless there is one.
@@ -38,15 +39,13 @@ class Observer {
 
  private:
   using Clock = std::chrono::steady_clock;
-  Observer(Simulation& sim, FolderLock lock, RunRecord record, Inputs inputs,
-           const std::optional<VideoOptions>& video);
+  Observer(Simulation& sim, FolderLock lock, RunRecord record, Inputs inputs);
   template <class Begin> void begin_or_fail(const Begin& begin);
   void begin(const RunOptions& options);
   void begin(const ResumeOptions& options);
   /// Waits for the background thread; false if a job failed.
   bool come_to_rest() noexcept;
   RunPlan plan() const;
-  void write(Output& output, const StepTaken& step);
   void remember_scheduled();
 
   Simulation& sim_;
@@ -54,12 +53,14 @@ class Observer {
   RunRecord record_;
   Inputs inputs_;      // read before the folder is cleared, where they may lie
   RunFolder folder_;   // belongs to the background thread, until it has come to rest
-  double before_ = 0;  // the last step [s]
+  double before_ = 0;  // the start of the last step [s]
   std::int64_t saved_ = -1;
   Clock::time_point saved_at_ = Clock::now();
   std::deque<std::string> checkpoints_;
   Background background_{2};
   Tables tables_;
+  FrameSource frames_;
+  ColorRanges ranges_;
   std::vector<std::unique_ptr<Output>> outputs_;
 };
 

@@ -8,7 +8,9 @@
 #include "freshet/run.h"
 #include "io/checkpoint.h"
 #include "io/run_folder.h"
+#include "render/color_range.h"
 #include "run/background.h"
+#include "run/frame_source.h"
 #include "run/tables.h"
 #include "scene/model/schedule.h"
 
@@ -22,6 +24,8 @@ struct RunSite {
   RunFolder& folder;  ///< belongs to the background thread while a job runs
   Background& background;
   Tables& tables;
+  FrameSource& frames;
+  ColorRanges& ranges;  ///< of percentiles.csv so far
 };
 
 /// Something that a run writes. It reads the simulation and never changes a step.
@@ -34,18 +38,20 @@ class Output {
   virtual std::vector<std::string> files() const = 0;
   /// Writes what is known before the first step. A resumed run skips it.
   virtual void start() {}
-  /// Whether it is to write after `step`.
-  virtual bool due(const StepTaken& step) const = 0;
-  /// Writes the moment after `step`, or gives a background job a copy of it.
-  virtual void write(const StepTaken& step) = 0;
-  /// Whether the state after the last step is written even where the schedule does not ask for it.
-  virtual bool writes_the_end() const { return true; }
+  /// Continues what the run had written up to its checkpoint. Returns warnings.
+  virtual std::vector<Diagnostic> resume() { return {}; }
+  /// Whether it may show the fluid within a step from `from` to at most `to` [s].
+  virtual bool shows_between(double, double) const { return false; }
+  /// Writes what is due after `step`, or gives a background job a copy of it. Returns whether it
+  /// has written the state after the step.
+  virtual bool write(const StepTaken& step) = 0;
+  /// Writes the state after the last step, if write() has not.
+  virtual void write_end() {}
   /// Called once after the last write.
   virtual void finish() {}
 };
 
 /// In the order in which they write after a step.
-std::vector<std::unique_ptr<Output>> outputs_of(const RunSite& site,
-                                                const std::optional<VideoOptions>& video);
+std::vector<std::unique_ptr<Output>> outputs_of(const RunSite& site);
 
 }  // namespace freshet

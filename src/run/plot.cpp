@@ -6,14 +6,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <iterator>
+#include <sstream>
 
 #include "core/text.h"
 #include "freshet/error.h"
+#include "freshet/suggest.h"
 #include "io/folder.h"
+#include "render/axis.h"
 #include "render/chart.h"
-#include "run/table.h"
-#include "scene/keys/suggest.h"
+#include "run/plot_tables.h"
 
 namespace freshet {
 namespace {
@@ -28,68 +30,43 @@ constexpr Series::Style styles[] = {Series::Style::solid, Series::Style::dashed,
   throw Error(Error::Kind::scene, place, why, std::move(options));
 }
 
-/// A run as it is drawn: its numbers, and the style of its lines.
+/// A run and the style of its lines. The legend is made of the lines of the first run.
 struct Run {
   std::string name;
-  Table table;
+  RunTables tables;
   Series::Style style;
-  bool first;  ///< the legend is made of its lines
+  bool first;
 };
 
-/// Kinetic and potential energy together, beside what the file holds.
-void add_total_energy(Table& table) {
-  const Column *kinetic = table.find("kinetic energy"), *potential = table.find("potential energy");
-  if (!kinetic || !potential || kinetic->of_words() || potential->of_words()) return;
-  Column total{"total energy", kinetic->unit, {}, {}};
-  for (std::size_t row = 0; row < table.rows; ++row)
-    total.numbers.push_back(kinetic->numbers[row] + potential->numbers[row]);
-  table.columns.push_back(std::move(total));
-}
-
 Run read_run(const fs::path& folder, std::size_t place) {
-  const fs::path file = folder / "observables.csv";
-  std::error_code ec;
-  if (!fs::is_directory(folder, ec))
-    refuse(folder.string(), "no such folder; give the folder of a run, as in runs/article");
-  if (!fs::is_regular_file(file, ec))
-    refuse(folder.string(),
-           "no observables.csv in this folder; give the folder of a run whose first frame is "
-           "written");
-  Run run{folder.lexically_normal().string(), read_table(file), styles[place], place == 0};
-  const Column* time = run.table.find("time");
-  if (!time || time->of_words())
-    refuse(file.string() + ":1",
-           "no column \"time [s]\", so this was not written by a run; give the folder of a run");
-  if (run.table.rows == 0)
-    refuse(file.string(), "no row yet; wait until the run has written its first frame");
-  add_total_energy(run.table);
-  return run;
+  return {folder.lexically_normal().string(), RunTables(folder), styles[place], place == 0};
 }
 
-/// "kg/m^2" as it is printed.
-std::string printed(std::string unit) {
-  for (const auto& [plain, raised] : {std::pair("^2", "²"), std::pair("^3", "³")})
-    if (const auto at = unit.find(plain); at != std::string::npos) unit.replace(at, 2, raised);
-  return unit.empty() ? "" : "[" + unit + "]";
-}
-
-/// A run's column as a line of a panel; nothing if the run has no such numbers.
+/// Adds a run's column as a line of a panel, if the run has it.
 void add_line(Panel& panel, const Run& run, const std::string& column, const std::string& name,
               int color) {
-  const Column* y = run.table.find(column);
+  const Column* y = run.tables.observables().find(column);
   if (!y || y->of_words()) return;
-  panel.series.push_back(
-      {run.first ? name : "", run.table.find("time")->numbers, y->numbers, run.style, color});
+  panel.series.push_back({run.first ? name : "", run.tables.observables().find("time")->numbers,
+                          y->numbers, run.style, color});
 }
 
-/// What a panel shows: columns, and what the legend calls them.
+/// The columns of a panel, and their names in the legend.
 struct Topic {
-  std::string label;
+  std::string quantity;
   std::vector<std::pair<std::string, std::string>> columns;
 };
 
+/// The unit of the first column that a run has.
+std::string unit_of(const Topic& topic, const std::vector<Run>& runs) {
+  for (const Run& run : runs)
+    for (const auto& [column, name] : topic.columns)
+      if (const Column* c = run.tables.observables().find(column)) return c->unit;
+  return "";
+}
+
 Panel panel_of(const Topic& topic, const std::vector<Run>& runs) {
-  Panel panel{"", "time [s]", topic.label, {}};
+  Panel panel{"", "time [s]", axis_title(topic.quantity, unit_of(topic, runs)), {}};
   for (const Run& run : runs)
     for (std::size_t k = 0; k < topic.columns.size(); ++k)
       add_line(panel, run, topic.columns[k].first, topic.columns[k].second, int(k));
@@ -117,7 +94,7 @@ Series parts_of(const Column& time, const Column& y, const Column& words, const 
   return s;
 }
 
-/// The time step, in the colour of what ruled it, and the least of its bounds.
+/// The time step, in the colour of its limit, and the minimum of the bounds.
 Panel time_step_panel(const std::vector<Run>& runs) {
   struct Rule {
     const char *word, *name;
@@ -133,10 +110,11 @@ Panel time_step_panel(const std::vector<Run>& runs) {
   Panel panel{"", "time [s]", "time step [s]", {}};
   for (const Run& run : runs) {
     add_line(panel, run, "least bound", "least bound", 7);
-    const Column *step = run.table.find("time step"), *ruled = run.table.find("ruled by");
+    const Column *step = run.tables.observables().find("time step"),
+                 *ruled = run.tables.observables().find("ruled by");
     if (!step || step->of_words() || !ruled || !ruled->of_words()) continue;
     for (const Rule& rule : rules) {
-      Series part = parts_of(*run.table.find("time"), *step, *ruled, rule.word);
+      Series part = parts_of(*run.tables.observables().find("time"), *step, *ruled, rule.word);
       if (part.x.empty()) continue;
       part.name = run.first ? rule.name : "";
       part.style = run.style;
@@ -155,19 +133,17 @@ Topic forces_along(const std::string& axis, const Table& table) {
     if (!c.name.starts_with(front) || !c.name.ends_with(back)) continue;
     if (std::all_of(c.numbers.begin(), c.numbers.end(), [](double f) { return f == 0; })) continue;
     const std::size_t length = c.name.size() - front.size() - back.size();
-    if (topic.columns.empty()) topic.label += " " + printed(c.unit);
     topic.columns.emplace_back(c.name, c.name.substr(front.size(), length));
   }
   return topic;
 }
 
-/// What goes through inlets, outlets and counters.
+/// The rates through inlets, outlets, counters and open sides.
 Topic flows_in(const Table& table) {
   const std::string front = "flow through ";
   Topic topic{"flow", {}};
   for (const Column& c : table.columns) {
     if (!c.name.starts_with(front)) continue;
-    if (topic.columns.empty()) topic.label += " " + printed(c.unit);
     topic.columns.emplace_back(c.name, c.name.substr(front.size()));
   }
   return topic;
@@ -175,68 +151,101 @@ Topic flows_in(const Table& table) {
 
 std::vector<Panel> usual_panels(const std::vector<Run>& runs) {
   std::vector<Panel> panels;
-  panels.push_back(panel_of({"energy [J]",
+  panels.push_back(panel_of({"energy",
                              {{"kinetic energy", "kinetic"},
                               {"potential energy", "potential"},
                               {"total energy", "total"}}},
                             runs));
   panels.push_back(panel_of(
-      {"momentum [kg m/s]", {{"momentum x", "x"}, {"momentum y", "y"}, {"momentum z", "z"}}},
-      runs));
+      {"momentum", {{"momentum x", "x"}, {"momentum y", "y"}, {"momentum z", "z"}}}, runs));
   // the greatest is so much more than the mean that they would not share a panel well
-  panels.push_back(panel_of({"density error [%]", {{"density error mean", "mean"}}}, runs));
-  panels.push_back(panel_of({"density error [%]", {{"density error max", "greatest"}}}, runs));
-  panels.push_back(
-      panel_of({"speed [m/s]", {{"speed mean", "mean"}, {"speed max", "fastest"}}}, runs));
+  panels.push_back(panel_of({"density error", {{"density error mean", "mean"}}}, runs));
+  panels.push_back(panel_of({"density error", {{"density error max", "greatest"}}}, runs));
+  panels.push_back(panel_of({"speed", {{"speed mean", "mean"}, {"speed max", "fastest"}}}, runs));
   panels.push_back(time_step_panel(runs));
   panels.push_back(panel_of(
       {"iterations", {{"density iterations", "density"}, {"divergence iterations", "divergence"}}},
       runs));
   panels.push_back(
-      panel_of({"solve error [%]",
+      panel_of({"solve error",
                 {{"density solve error", "density"}, {"divergence solve error", "divergence"}}},
                runs));
-  panels.push_back(panel_of(flows_in(runs[0].table), runs));
+  panels.push_back(panel_of(flows_in(runs[0].tables.observables()), runs));
   panels.push_back(panel_of({"particles", {{"particles", "particles"}}}, runs));
   for (const char* axis : axis_letters)
-    panels.push_back(panel_of(forces_along(axis, runs[0].table), runs));
+    panels.push_back(panel_of(forces_along(axis, runs[0].tables.observables()), runs));
   std::erase_if(panels, [](const Panel& p) { return p.series.empty(); });
   return panels;
 }
 
-/// The columns that can be drawn over time.
-std::set<std::string, std::less<>> drawable(const Table& table) {
-  std::set<std::string, std::less<>> names;
-  for (const Column& c : table.columns)
-    if (!c.of_words() && c.name != "time") names.insert(c.name);
-  return names;
-}
-
 [[noreturn]] void refuse_column(const std::string& typed, const Run& run) {
-  const auto names = drawable(run.table);
+  const auto names = run.tables.names();
   const std::string near = nearest(typed, names);
   refuse("option columns",
-         fmt::format("no column \"{}\" of numbers in {}/observables.csv; {}there are "
-                     "{}",
+         fmt::format("no column \"{}\" of numbers over time in the tables of {}; {}there are {}",
                      typed, run.name, near.empty() ? "" : fmt::format("did you mean {}? ", near),
                      fmt::join(names, ", ")));
 }
 
-/// The columns asked for, those of one unit in one panel.
-std::vector<Panel> panels_of(const std::vector<std::string>& columns,
-                             const std::vector<Run>& runs) {
-  std::vector<std::pair<std::string, Topic>> topics;  // by unit
-  for (const std::string& column : columns) {
-    for (const Run& run : runs)
-      if (!drawable(run.table).contains(column)) refuse_column(column, run);
-    const std::string unit = runs[0].table.find(column)->unit;
-    auto topic =
-        std::find_if(topics.begin(), topics.end(), [&](const auto& t) { return t.first == unit; });
-    if (topic == topics.end()) topic = topics.insert(topic, {unit, {printed(unit), {}}});
-    topic->second.columns.emplace_back(column, column);
+/// The quantity that columns of one unit have in common: the name of a single column, or the words
+/// with which all names begin or end, without their probes and bodies.
+std::string common_quantity(const std::vector<std::string>& names) {
+  if (names.size() == 1) return names[0];
+  std::vector<std::vector<std::string>> words;
+  for (const std::string& name : names) {
+    std::istringstream text(
+        name.substr(name.rfind(": ") == std::string::npos ? 0 : name.rfind(": ") + 2));
+    words.emplace_back(std::istream_iterator<std::string>(text),
+                       std::istream_iterator<std::string>());
   }
+  const auto begin = [&] {
+    std::string common;
+    for (std::size_t k = 0; k < words[0].size(); ++k) {
+      if (std::any_of(words.begin(), words.end(),
+                      [&](const auto& w) { return k >= w.size() || w[k] != words[0][k]; }))
+        break;
+      common += (k == 0 ? "" : " ") + words[0][k];
+    }
+    return common;
+  };
+  if (const std::string common = begin(); !common.empty()) return common;
+  for (auto& w : words) w = {w.back()};
+  return begin();
+}
+
+/// The named columns, those of one unit in one panel.
+std::vector<Panel> panels_of(const std::vector<std::string>& columns, std::vector<Run>& runs) {
+  struct Group {
+    std::string unit;
+    Panel panel;
+    std::vector<std::string> names;
+  };
+  std::vector<Group> groups;
+  const auto group_of = [&](const std::string& unit) -> Group& {
+    for (Group& group : groups)
+      if (group.unit == unit) return group;
+    return groups.emplace_back(Group{unit, {"", "time [s]", "", {}}, {}});
+  };
+  for (Run& run : runs) run.tables.read_all();
+  for (const std::string& column : columns)
+    for (const Run& run : runs) {
+      const auto found = run.tables.find(column);
+      if (found.empty()) refuse_column(column, run);
+      for (const PlotColumn& c : found) {
+        Group& group = group_of(c.values->unit);
+        const auto at = std::find(group.names.begin(), group.names.end(), c.name);
+        const bool is_new = at == group.names.end();
+        const int color = int(at - group.names.begin());
+        if (is_new) group.names.push_back(c.name);
+        group.panel.series.push_back({run.first || is_new ? c.name : "", c.time->numbers,
+                                      c.values->numbers, run.style, color});
+      }
+    }
   std::vector<Panel> panels;
-  for (const auto& [unit, topic] : topics) panels.push_back(panel_of(topic, runs));
+  for (Group& group : groups) {
+    group.panel.y_label = axis_title(common_quantity(group.names), group.unit);
+    panels.push_back(std::move(group.panel));
+  }
   return panels;
 }
 

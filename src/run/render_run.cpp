@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "core/input_file.h"
 #include "freshet/render.h"
@@ -13,6 +14,9 @@
 #include "render/draw.h"
 #include "render/png.h"
 #include "run/body_table.h"
+#include "run/percentile_table.h"
+#include "scene/keys/override_place.h"
+#include "scene/model/picture_layout.h"
 
 namespace freshet {
 namespace {
@@ -21,12 +25,15 @@ namespace fs = std::filesystem;
 
 /// The run's own scene; only what a picture shows may change.
 Scene scene_of(const RenderOptions& options) {
-  for (const auto& [key, value] : options.overrides)
-    if (!key.starts_with("picture.") && !key.starts_with("camera.") && !key.starts_with("camera["))
+  for (const Override& change : options.overrides) {
+    const std::string& key = change.first;
+    if (key != "picture" && key != "camera" && !key.starts_with("picture.") &&
+        !key.starts_with("camera.") && !key.starts_with("camera["))
       throw Error(
-          Error::Kind::scene, "override " + key,
+          Error::Kind::scene, place_of(change),
           "the run is over: only keys of [picture] and [camera] can change now; run the scene "
           "again for others");
+  }
   const fs::path file = options.run / "scene.toml";
   if (!fs::exists(file))
     throw Error(
@@ -98,46 +105,77 @@ class FrameBodies {
                   "this table is missing or cannot be read, and the bodies are drawn from it; put "
                   "it back, or run the scene again");
     constexpr InputFile table{.may_be_empty = true};
-    steps_ = read_bodies(read_input(table_, table), scene, table_);
+    times_ = read_bodies(read_input(table_, table), scene, table_);
   }
   void put_into(Frame& frame, const fs::path& file) const {
     if (!exist_) return;
-    const auto at = steps_.find(frame.step);
-    if (at == steps_.end())
+    const double close = 1e-8 * std::abs(frame.time);  // the table has nine digits
+    const auto at = times_.lower_bound(frame.time - close);
+    if (at == times_.end() || at->first > frame.time + close)
       throw Error(Error::Kind::scene, table_,
-                  fmt::format("there is no row for each body at step {}, which {} shows; put the "
+                  fmt::format("there is no row for each body at {:g} s, which {} shows; put the "
                               "table back as the run wrote it, or run the scene again",
-                              frame.step, file.string()));
+                              frame.time, file.string()));
     frame.bodies = at->second;
   }
 
  private:
   bool exist_;
   std::string table_;
-  std::map<std::int64_t, std::vector<BodyState>> steps_;
+  std::map<double, std::vector<BodyState>> times_;
+};
+
+/// The colour ranges of the frames of a run, by percentiles.csv. Runs of older versions have none:
+/// the frames themselves then count in their order.
+class FrameRanges {
+ public:
+  FrameRanges(const RenderOptions& options, const Scene& scene) : scene_(scene) {
+    const fs::path file = options.run / percentile_file;
+    std::error_code ec;
+    recorded_ = fs::is_regular_file(file, ec);
+    if (recorded_) rows_ = RangesByStep(file, scene);
+    const bool used = scene.picture.color_range.empty() &&
+                      scene.picture.color_scale == ColorScale::run &&
+                      scene.picture.color_by != ColorBy::liquid;
+    if (!recorded_ && used && options.warn)
+      options.warn({{Diagnostic::Severity::warning, file.string(),
+                     "this table is missing; the colours follow the data files instead, and can "
+                     "differ from those of the run's own pictures; to have these, put it back"}});
+  }
+  ColorRanges of(const Frame& frame) {
+    if (recorded_) return rows_.up_to(frame.step);
+    include(seen_, percentiles_of(scene_, frame));
+    return seen_;
+  }
+
+ private:
+  const Scene& scene_;
+  bool recorded_;
+  RangesByStep rows_;
+  ColorRanges seen_;
 };
 
 /// A film that shows each frame until the next one's time, in pictures of one length.
 class Film {
  public:
-  Film(const Scene& scene, const VideoOptions& options)
-      : fps_(options.fps),
-        video_(options.file, int(scene.picture.width), int(scene.picture.height), options.fps) {}
+  Film(const PictureLayout& picture, const VideoOptions& options)
+      : per_second_(options.fps / options.speed),
+        video_(make_video(options.file, picture.width, picture.height, options.fps)) {}
 
   void add(const Image& image, double time) {
     if (!start_) start_ = time;
-    const auto due = std::int64_t((time - *start_) * fps_ + 1e-6);
-    for (; shown_ < due; ++shown_) video_.add(*last_);
+    const auto due = std::int64_t((time - *start_) * per_second_ + 1e-6);
+    for (; shown_ < due; ++shown_) video_->add(*last_);
     last_ = image;
   }
   void finish() {
-    if (last_) video_.add(*last_);
-    video_.finish();
+    if (last_) video_->add(*last_);
+    video_->finish();
   }
 
  private:
-  double fps_;
-  Video video_;
+  double per_second_;  // pictures per simulated second
+  std::unique_ptr<Video> video_;
   std::optional<double> start_;
   std::optional<Image> last_;
   std::int64_t shown_ = 0;
@@ -158,10 +196,11 @@ RenderReport render(const RenderOptions& options) {
   const FrameBodies bodies(options.run, scene);
   const PictureFolder pictures(options);
   pictures.check(options, frames);
-  if (options.video) Video::check(options.video->file, options.overwrite);
+  if (options.video) check_video(options.video->file, options.video->fps, options.overwrite);
   if (const auto gaps = gaps_in(frames); options.warn && !gaps.empty()) options.warn(gaps);
+  FrameRanges ranges(options, scene);
   std::optional<Film> film;
-  if (options.video) film.emplace(scene, *options.video);
+  if (options.video) film.emplace(picture_layout(scene), *options.video);
   RenderReport report;
   for (const FrameFile& file : frames) {
     Frame frame = read_frame(file.path);
@@ -170,7 +209,7 @@ RenderReport render(const RenderOptions& options) {
                   fmt::format("this frame is in {}D and the run's scene in {}D; run it again",
                               frame.dimension, scene.dimension()));
     bodies.put_into(frame, file.path);
-    const Image image = draw(scene, frame, threads);
+    const Image image = draw(scene, frame, ranges.of(frame), threads);
     report.pictures.push_back(pictures.write(file, image));
     if (film) film->add(image, frame.time);
     report.interrupted =

@@ -7,10 +7,11 @@
 #include <new>
 
 #include "core/input_file.h"
-#include "io/video.h"
 #include "run/observer.h"
 #include "run/record_of_scene.h"
+#include "run/video_output.h"
 #include "scene/keys/keys.h"
+#include "scene/keys/override_place.h"
 #include "scene/keys/same_steps.h"
 
 namespace freshet {
@@ -23,6 +24,7 @@ bool steps(Simulation& sim, Observer& observer, const AfterStep& after_step) {
   using Clock = std::chrono::steady_clock;
   double seconds = observer.record().seconds;
   while (!sim.finished()) {
+    observer.before_step();
     const auto start = Clock::now();
     sim.step();
     seconds += std::chrono::duration<double>(Clock::now() - start).count();
@@ -140,19 +142,37 @@ void check_end(const Simulation& sim, const ResumeOptions& options) {
                   fmt::format("time.end must be later than {:g} s, where the run is", sim.time()));
 }
 
+/// The run's own video is replaced, another file is not.
+void check_resumed_video(const Scene& scene, const ResumeOptions& options, RunRecord& record) {
+  const bool moves = !options.video.empty();
+  if (moves && !record.video)
+    throw Error(Error::Kind::scene, "option video " + options.video.string(),
+                "this run makes no video; leave out the option, or run the scene again with it");
+  if (moves) record.video->file = fs::absolute(options.video);
+  if (!record.video) return;
+  try {
+    check_video_of(scene, *record.video, !moves);
+  } catch (const Error& error) {
+    auto diagnostics = error.diagnostics();
+    diagnostics.back().message += "; `video` names another file";
+    diagnostics.back().options.push_back("video");
+    throw Error(error.kind(), std::move(diagnostics));
+  }
+}
+
 }  // namespace
 
 Report run(const Scene& scene, const RunOptions& options) {
   Simulation sim(scene, options.execution);
-  if (options.video) Video::check(options.video->file, options.overwrite);
+  if (options.video) check_video_of(scene, *options.video, options.overwrite);
   Observer observer(sim, options);
   return run_observed(sim, observer, options.after_step);
 }
 
 Report resume(const ResumeOptions& options) {
-  for (const auto& [key, value] : options.overrides)
-    if (steps_depend_on(key))
-      throw Error(Error::Kind::scene, "override " + key,
+  for (const Override& change : options.overrides)
+    if (steps_depend_on(change.first) && steps_depend_on(change.first + "."))
+      throw Error(Error::Kind::scene, place_of(change),
                   "this changes what has been simulated; a run that goes on takes time.end and "
                   "the keys of output, picture, camera and checks; for another simulation, run "
                   "its scene.toml");
@@ -177,6 +197,7 @@ Report resume(const ResumeOptions& options) {
         Error::Kind::scene, options.folder.string(),
         fmt::format("this run has reached its end, {:g} s; `time.end` prolongs it", scene.time.end),
         {"time.end"});
+  check_resumed_video(scene, options, checkpoint.run);
   Observer observer(sim, options, std::move(lock), std::move(checkpoint.run));
   return run_observed(sim, observer, options.after_step);
 }

@@ -12,15 +12,14 @@ namespace {
 
 using Fields = std::vector<std::string>;
 
-constexpr InputFile table_file{
-    .noun = "table", .remedy = "name a CSV file", .may_be_empty = true};
+constexpr InputFile table_file{.noun = "table", .remedy = "name a CSV file", .may_be_empty = true};
 
 [[noreturn]] void fail(const std::filesystem::path& file, std::size_t line,
                        const std::string& why) {
   throw Error(Error::Kind::scene, fmt::format("{}:{}", file.string(), line), why);
 }
 
-/// What stands between the commas; a field in quotes may hold commas, and quotes twice each.
+/// The fields between commas. A field in quotes may contain commas, and doubled quotes.
 Fields fields_of(std::string_view line) {
   Fields fields(1);
   bool quoted = false;
@@ -47,8 +46,10 @@ Column column_of(const std::string& heading) {
   return {heading.substr(0, unit), heading.substr(unit + 2, heading.size() - unit - 3), {}, {}};
 }
 
-/// A column whose fields are all numbers holds these; one with a unit must.
-void settle(Column& column, const std::filesystem::path& file) {
+/// Turns a column whose fields are all numbers into numbers. A column with a unit must be one.
+/// Messages contain no fields: the file may be another than a table.
+void settle(Column& column, std::size_t place, const std::filesystem::path& file,
+            std::size_t first_line) {
   for (std::size_t row = 0; row < column.words.size(); ++row) {
     const auto number = number_in(column.words[row]);
     if (number) {
@@ -57,10 +58,11 @@ void settle(Column& column, const std::filesystem::path& file) {
       column.numbers.clear();
       return;
     } else {
-      fail(file, row + 2,
-           fmt::format("\"{}\" in the column \"{}\" is no number; the column has a unit, [{}], and "
-                       "must hold numbers only",
-                       column.words[row], column.name, column.unit));
+      fail(
+          file, first_line + row,
+          fmt::format("value {} is not a number, and its column has a unit; write numbers only, or "
+                      "name the column without a unit",
+                      place + 1));
     }
   }
   column.words.clear();
@@ -78,10 +80,11 @@ Table read_table(const std::filesystem::path& file) {
   const std::string all = read_input(file, table_file);
   std::string_view bytes(all);
   bytes = bytes.substr(0, bytes.rfind('\n') + 1);
-  if (bytes.empty()) fail(file, 1, "no whole line; the first must name the columns");
   Table table;
   std::size_t line = 1;
   for (; bytes.starts_with('#'); ++line) take_line(bytes);
+  if (bytes.empty())
+    fail(file, line, "the file has no complete line; the first must name the columns");
   for (const std::string& heading : fields_of(take_line(bytes)))
     table.columns.push_back(column_of(heading));
   while (!bytes.empty()) {
@@ -89,13 +92,24 @@ Table read_table(const std::filesystem::path& file) {
     ++table.rows;
     if (fields.size() != table.columns.size())
       fail(file, table.rows + line,
-           fmt::format("{} value{}, and the first line names {}; every line must give all",
-                       fields.size(), fields.size() == 1 ? "" : "s", table.columns.size()));
+           fmt::format("{} value{} instead of {}; write one per column", fields.size(),
+                       fields.size() == 1 ? "" : "s", table.columns.size()));
     for (std::size_t k = 0; k < fields.size(); ++k)
       table.columns[k].words.push_back(std::move(fields[k]));
   }
-  for (Column& column : table.columns) settle(column, file);
+  for (std::size_t k = 0; k < table.columns.size(); ++k)
+    settle(table.columns[k], k, file, line + 1);
   return table;
+}
+
+std::string csv_cell(const std::string& name) {
+  if (name.find_first_of(",\"\n\r") == std::string::npos) return name;
+  std::string out = "\"";
+  for (const char c : name) {
+    if (c == '"') out += '"';
+    out += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return out + "\"";
 }
 
 }  // namespace freshet

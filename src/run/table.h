@@ -8,7 +8,7 @@
 
 namespace freshet {
 
-/// A column of a table: of numbers, or of words where it has no unit and holds something else.
+/// A column of a table: numbers, or words if it has no unit and not only numbers.
 struct Column {
   std::string name, unit;
   std::vector<double> numbers;     ///< empty if it holds words
@@ -24,10 +24,12 @@ struct Table {
   const Column* find(std::string_view name) const;
 };
 
-/// Reads a CSV file whose first line, but for comments that begin with #, names the columns,
-/// "NAME [UNIT]"; a name with a comma in it
-/// stands in quotes. A last line without its end is left out: it is being written, or never was.
-/// Throws Error (kind scene) with FILE:LINE where the file is not like that.
+/// Reads a CSV file. Comments begin with # and precede the line that names the columns,
+/// "NAME [UNIT]". A name with a comma is in quotes. A last line without its end is skipped: a run
+/// may be writing it. Throws Error (kind scene) at FILE:LINE if the file is not valid.
 Table read_table(const std::filesystem::path& file);
+
+/// A name as a cell of a CSV table of one line per row.
+std::string csv_cell(const std::string& name);
 
 }  // namespace freshet

@@ -8,6 +8,7 @@
 #include "core/check_checkpoint.h"
 #include "engine/inlet_clock.h"
 #include "scene/model/openings.h"
+#include "scene/model/setup.h"
 
 namespace freshet {
 namespace {
@@ -70,6 +71,15 @@ void check_counts(const Checkpoint& c, std::size_t outlets) {
   }
 }
 
+/// Fails if positions are relative to another origin than those of the scene.
+void check_origin(const Checkpoint& c, const Scene& scene) {
+  const Checkpoint::Array* origin = array_of(c, "fluid/origin");
+  const Triple here = origin_of(scene);
+  for (std::size_t k = 0; origin && k < here.size() && k < std::size_t(origin->count); ++k)
+    if (number_at<double>(*origin, k) != here[k])
+      fail_for_checkpoint("its positions are relative to another origin");
+}
+
 }  // namespace
 
 void check_restored(const Checkpoint& c, const Scene& scene) {
@@ -83,6 +93,7 @@ void check_restored(const Checkpoint& c, const Scene& scene) {
   check_indices(c, "fluid/held", held + 1);
   check_ids(c);
   check_counts(c, scene.outlet.size());
+  check_origin(c, scene);
 }
 
 }  // namespace freshet

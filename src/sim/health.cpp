@@ -78,7 +78,7 @@ void Health::expect_flows(const ParticleView& start) {
     double speed2 = 0;
     for (std::size_t k = 0; k < d; ++k) speed2 += square(double(start.v[d * i + k]));
     start_energy_ =
-        std::max(start_energy_, energy(speed2, [&](auto k) { return double(start.x[d * i + k]); }));
+        std::max(start_energy_, energy(speed2, [&](auto k) { return start.position(i, k); }));
   }
   for (const Scene::Inlet& in : scene_.inlet) {
     const InletPlan plan = inlet_plan(scene_, in);

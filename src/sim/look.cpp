@@ -24,10 +24,9 @@ template <int D> class Looker {
         rest_density_(d.rest_density) {
     for (const Scene::Liquid& liquid : s.liquids())
       heaviness_.push_back(liquid.rest_density / d.rest_density);
-    for (int side = 0; side < 2 * D; ++side)
-      open_[std::size_t(side)] = !s.periodic(side / 2) && s.side_method(side) == WallMethod::open;
+    for (int side = 0; side < 2 * D; ++side) open_[std::size_t(side)] = s.is_open(side);
     for (const Scene::Wall& wall : s.wall)
-      if (wall.shape != Shape::points) walls_.emplace_back(wall);
+      if (wall.shape != Shape::points) walls_.emplace_back(wall, s.particles.spacing);
   }
 
   Look operator()(const ParticleView& f) const {
@@ -58,10 +57,16 @@ template <int D> class Looker {
   }
   static Witness witness(const ParticleView& f, std::size_t i, double value) {
     Witness w{f.id[i], {}, value};
-    for (std::size_t k = 0; k < D; ++k) w.x[k] = double(f.x[D * i + k]);
+    for (std::size_t k = 0; k < D; ++k) w.x[k] = f.position(i, k);
     for (double& x : w.x)
       if (std::isnan(x)) x = std::numeric_limits<double>::quiet_NaN();  // of one sign everywhere
     return w;
+  }
+
+  static Vec<D, double> position(const ParticleView& f, std::size_t i) {
+    Vec<D, double> x{};
+    for (std::size_t k = 0; k < D; ++k) component(x, int(k)) = f.position(i, k);
+    return x;
   }
 
   /// Its mass over that of a particle of the densest liquid.
@@ -76,7 +81,7 @@ template <int D> class Looker {
     double heaviness = 0, most = 0;
     std::size_t densest = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      const Vec<D, double> x = at(f.x, i), v = at(f.v, i);
+      const Vec<D, double> x = position(f, i), v = at(f.v, i);
       const double m = heaviness_of(f, i);
       const double density = double(f.density[i]) / m, excess = density / rest_density_ - 1;
       heaviness += m;
@@ -93,10 +98,9 @@ template <int D> class Looker {
       look.potential -= m * height;
       momentum += m * v;
       const bool number = std::isfinite(speed2) && std::isfinite(norm2(x)) && std::isfinite(excess);
-      const Place where = place(&f.x[D * i], support_);
+      const Place where = place(x, support_);
       const bool beyond = where == Place::beyond_wall;
-      if (!number || (beyond && place(&f.x[D * i], far_) == Place::beyond_wall))
-        lose(f, i, number, look);
+      if (!number || (beyond && place(x, far_) == Place::beyond_wall)) lose(f, i, number, look);
       else if (beyond || (where == Place::inside && is_in_wall(x))) leave(f, i, look);
     }
     look.densest = witness(f, densest, most);
@@ -105,11 +109,12 @@ template <int D> class Looker {
     return momentum / heaviness;
   }
 
-  Place place(const Real* x, double margin) const {
+  Place place(Vec<D, double> x, double margin) const {
     Place found = Place::inside;
     for (std::size_t k = 0; k < D; ++k) {
-      const bool low = double(x[k]) < min_[k] - margin;
-      if (!low && !(double(x[k]) > max_[k] + margin)) continue;
+      const double along = component(x, int(k));
+      const bool low = along < min_[k] - margin;
+      if (!low && !(along > max_[k] + margin)) continue;
       if (open_[2 * k + !low]) return Place::beyond_open;
       found = Place::beyond_wall;
     }

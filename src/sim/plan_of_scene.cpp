@@ -36,6 +36,8 @@ void plan_domain(const Scene& s, EnginePlan& p) {
   p.max = triple(s.domain.max);
   p.gravity = triple(s.domain.gravity);
   for (int k = 0; k < p.dimension; ++k) p.periodic[std::size_t(k)] = s.periodic(k);
+  for (int side = 0; side < 2 * p.dimension; ++side)
+    p.open_sides |= unsigned(s.is_open(side)) << side;
   const auto force = std::make_shared<Expressions>(s.domain.body_force);
   if (force->empty()) return;
   p.body_force = [force, functions = s.domain.body_force, place = place_of(s, "domain.body_force")](
@@ -101,7 +103,7 @@ template <int D> void plan_copies(const Scene& s, EnginePlan& p) {
       CopyRulePlan rule;
       rule.no_slip = no_slip;
       rule.axis = axis++;
-      const auto solid = solid_of<D, Real>(wall);
+      const auto solid = solid_of<D>(wall);
       rule.point = triple(solid.center);
       rule.normal = triple(solid.normal(solid.center));
       rule.wall = number;
@@ -192,8 +194,29 @@ template <int D> void plan_forces(const Scene& s, const Derived& d, EnginePlan& 
   f.mean_depth = mean_distance<D>(W, p.support) * (D == 2 ? 2 / double(pi) : 0.5);
   f.neighbors = d.neighbors;
   f.no_walls = s.wall.empty();
-  for (int side = 0; side < 2 * D; ++side)
-    f.no_walls &= s.periodic(side / 2) || s.side_method(side) == WallMethod::open;
+  for (int side = 0; side < 2 * D; ++side) f.no_walls &= s.periodic(side / 2) || s.is_open(side);
+}
+
+/// Makes the positions of a plan relative to its origin.
+void move_to_origin(EnginePlan& p) {
+  const Triple origin = p.origin;
+  const auto move = [&](Triple& x) {
+    for (std::size_t k = 0; k < 3; ++k) x[k] -= origin[k];
+  };
+  move(p.min);
+  move(p.max);
+  for (ReflectorPlan& reflector : p.reflectors) move(reflector.solid.center);
+  for (CopyRulePlan& rule : p.copies) move(rule.point);
+  for (SolidPlan& outlet : p.outlets) move(outlet.center);
+  for (OpeningPlan& counter : p.counters) move(counter.center);
+  for (InletPlan& inlet : p.inlets)
+    for (std::size_t k = 0; k < inlet.places.size(); ++k)
+      inlet.places[k] -= origin[k % std::size_t(p.dimension)];
+  if (!p.body_force) return;
+  p.body_force = [b = std::move(p.body_force), origin](const double(&x)[3], double t, double* out) {
+    const double in_scene[3] = {origin[0] + x[0], origin[1] + x[1], origin[2] + x[2]};
+    b(in_scene, t, out);
+  };
 }
 
 template <int D> void plan_all(const Scene& s, const Derived& d, EnginePlan& p) {
@@ -229,6 +252,8 @@ EnginePlan plan_of(const Scene& s, const Derived& d, Bodies* bodies, int threads
   p.lattice_sum = d.lattice_sum;
   if (p.dimension == 2) plan_all<2>(s, d, p);
   else plan_all<3>(s, d, p);
+  p.origin = origin_of(s);
+  if (p.origin != Triple{}) move_to_origin(p);
   p.sample = sample(s);
   return p;
 }

@@ -58,7 +58,7 @@ template <int D> class FluidReaderIn final : public FluidReader {
     std::vector<std::vector<Share>> shares(count_);
     for (std::size_t i = 0; i < f.size(); ++i) {
       Vec<D, double> x{};
-      for (std::size_t d = 0; d < D; ++d) component(x, int(d)) = double(f.x[D * i + d]);
+      for (std::size_t d = 0; d < D; ++d) component(x, int(d)) = f.position(i, d);
       const auto near = near_.find(cell_of(x));
       if (near == near_.end()) continue;
       for (const Place& place : near->second) {
@@ -151,23 +151,18 @@ double reach(const Scene::Probe& p, const std::vector<FluidReading>& readings) {
   return 0;
 }
 
-std::string traction_line(double time, const Vector& traction) {
-  std::string line = fmt::format("{:.9g}", time);
-  for (const double t : traction) line += "," + number(t);
-  return line + "\n";
-}
-
-std::string field_lines(double time, const std::vector<Vector>& at,
-                        const std::vector<FluidReading>& readings) {
-  std::string lines;
+std::vector<Probes::Reading> field_readings(const std::vector<Vector>& at,
+                                            const std::vector<FluidReading>& readings) {
+  std::vector<Probes::Reading> all;
   for (std::size_t n = 0; n < readings.size(); ++n) {
-    lines += fmt::format("{:.9g}", time);
-    for (const double x : at[n]) lines += fmt::format(",{:.9g}", x);
-    lines += fmt::format(",{:.9g}", readings[n].fraction);
-    for (std::size_t d = 0; d < at[n].size(); ++d) lines += "," + number(readings[n].velocity[d]);
-    lines += "," + number(readings[n].density) + "," + number(readings[n].pressure) + "\n";
+    Probes::Reading reading{at[n], {readings[n].fraction}};
+    for (std::size_t d = 0; d < at[n].size(); ++d)
+      reading.values.push_back(readings[n].velocity[d]);
+    reading.values.push_back(readings[n].density);
+    reading.values.push_back(readings[n].pressure);
+    all.push_back(std::move(reading));
   }
-  return lines;
+  return all;
 }
 
 }  // namespace
@@ -189,42 +184,68 @@ Probes::Probes(Probes&&) noexcept = default;
 
 std::size_t Probes::size() const { return parts_->places.at_the_start().size(); }
 
-std::string Probes::header(std::size_t k) const {
+std::vector<Probes::Quantity> Probes::quantities(std::size_t k) const {
   const Scene& s = parts_->scene;
   const bool flat = s.dimension() == 2;
-  std::string line = "time [s]";
-  if (s.probe[k].kind == ProbeKind::surface) return line + ",distance [m]\n";
+  const char* pressure = flat ? "N/m" : "Pa";
+  if (s.probe[k].kind == ProbeKind::surface) return {{"distance", "m"}};
+  std::vector<Quantity> all;
   if (s.probe[k].kind == ProbeKind::wall) {
     for (int d = 0; d < s.dimension(); ++d)
-      line += fmt::format(",traction {} [{}]", axis_letters[d], flat ? "N/m" : "Pa");
-    return line + "\n";
+      all.push_back({fmt::format("traction {}", axis_letters[d]), pressure});
+    return all;
   }
-  for (int d = 0; d < s.dimension(); ++d) line += fmt::format(",{} [m]", axis_letters[d]);
-  line += ",fraction";
+  all.push_back({"fraction", ""});
   for (int d = 0; d < s.dimension(); ++d)
-    line += fmt::format(",velocity {} [m/s]", axis_letters[d]);
-  return line + (flat ? ",density [kg/m^2],pressure [N/m]\n" : ",density [kg/m^3],pressure [Pa]\n");
+    all.push_back({fmt::format("velocity {}", axis_letters[d]), "m/s"});
+  all.push_back({"density", flat ? "kg/m^2" : "kg/m^3"});
+  all.push_back({"pressure", pressure});
+  return all;
 }
 
-std::vector<std::string> Probes::look(const Simulation& sim) {
-  const double time = sim.time();
+std::string Probes::header(std::size_t k) const {
+  const Scene& s = parts_->scene;
+  std::string line = "time [s]";
+  if (s.probe[k].kind != ProbeKind::surface && s.probe[k].kind != ProbeKind::wall)
+    for (int d = 0; d < s.dimension(); ++d) line += fmt::format(",{} [m]", axis_letters[d]);
+  for (const Quantity& q : quantities(k))
+    line += q.unit.empty() ? "," + q.name : fmt::format(",{} [{}]", q.name, q.unit);
+  return line + "\n";
+}
+
+std::vector<std::vector<Probes::Reading>> Probes::measure(const Simulation& sim) {
   const auto bodies = sim.bodies();
   const auto at = parts_->places.now(bodies);
   if (parts_->places.move()) parts_->reader->stand_at(at);
   const auto readings = parts_->reader->read(sim.fluid());
   const auto patches = parts_->places.patches(bodies);
   const auto tractions = patches.empty() ? std::vector<Vector>() : sim.tractions(patches);
-  std::vector<std::string> tables;
+  std::vector<std::vector<Reading>> all;
   auto from = readings.begin();
   auto traction = tractions.begin();
   for (std::size_t k = 0; k < size(); ++k) {
     const std::vector<FluidReading> own(from, from + std::ptrdiff_t(at[k].size()));
     from += std::ptrdiff_t(at[k].size());
     const Scene::Probe& probe = parts_->scene.probe[k];
-    if (probe.kind == ProbeKind::wall) tables.push_back(traction_line(time, *traction++));
-    else if (probe.kind == ProbeKind::surface)
-      tables.push_back(fmt::format("{:.9g},{:.9g}\n", time, reach(probe, own)));
-    else tables.push_back(field_lines(time, at[k], own));
+    if (probe.kind == ProbeKind::wall) all.push_back({{{}, *traction++}});
+    else if (probe.kind == ProbeKind::surface) all.push_back({{{}, {reach(probe, own)}}});
+    else all.push_back(field_readings(at[k], own));
+  }
+  return all;
+}
+
+std::string Probes::line(double time, const Reading& reading) {
+  std::string line = fmt::format("{:.9g}", time);
+  for (const double x : reading.place) line += fmt::format(",{:.9g}", x);
+  for (const double value : reading.values) line += "," + number(value);
+  return line + "\n";
+}
+
+std::vector<std::string> Probes::look(const Simulation& sim) {
+  std::vector<std::string> tables;
+  for (const auto& readings : measure(sim)) {
+    std::string& lines = tables.emplace_back();
+    for (const Reading& reading : readings) lines += line(sim.time(), reading);
   }
   return tables;
 }

@@ -45,18 +45,18 @@ bool Simulation::finished() const {
   const Scene& s = impl_->scene;
   return s.time.adaptive ? impl_->time >= s.time.end * (1 - 1e-12) : impl_->steps >= s.steps();
 }
-ParticleView Simulation::fluid() const { return impl_->engine->fluid(); }
-std::vector<BodyState> Simulation::bodies() const { return impl_->engine->bodies(); }
-const std::vector<VerbTiming>& Simulation::timings() const { return impl_->engine->timings(); }
+ParticleView Simulation::fluid() const { return impl_->fluid(); }
+std::vector<BodyState> Simulation::bodies() const { return impl_->engine().bodies(); }
+const std::vector<VerbTiming>& Simulation::timings() const { return impl_->engine().timings(); }
 
 void Simulation::set_force(Force force) {
   Impl& i = *impl_;
   i.health->note_intervention();
-  if (!force) return i.engine->set_force({});
-  i.engine->set_force([engine = i.engine.get(), force = std::move(force)](
-                          double time, std::span<double> acceleration) {
-    force(engine->fluid(), time, acceleration);
-  });
+  if (!force) return i.engine().set_force({});
+  i.engine().set_force(
+      [impl = impl_.get(), force = std::move(force)](double time, std::span<double> acceleration) {
+        force(impl->fluid(), time, acceleration);
+      });
 }
 
 void Simulation::set_gravity(const Vector& gravity) {
@@ -70,12 +70,12 @@ void Simulation::set_gravity(const Vector& gravity) {
   i.scene.domain.gravity = gravity;  // bodies read it there
   Triple g{};
   std::copy(gravity.begin(), gravity.end(), g.begin());
-  i.engine->set_gravity(g);
+  i.engine().set_gravity(g);
 }
 
 Simulation::WritableParticles Simulation::edit_fluid() {
   impl_->health->note_intervention();
-  return {impl_->engine->positions(), impl_->engine->velocities(), impl_->engine->kinds()};
+  return {impl_->edit_positions(), impl_->engine().velocities(), impl_->engine().kinds()};
 }
 
 std::uint64_t Simulation::add_particles(std::span<const Real> x, std::span<const Real> v,
@@ -97,14 +97,15 @@ std::uint64_t Simulation::add_particles(std::span<const Real> x, std::span<const
                                         i.scene.liquids().size()));
   i.health->note_intervention();
   i.edited = true;
-  return i.engine->add(x, v, liquid);
+  i.end_edit();
+  return i.engine().add(x, v, liquid);
 }
 
 void Simulation::remove_particles(std::span<const std::uint64_t> ids) {
   Impl& i = *impl_;
   std::vector<std::uint64_t> sought(ids.begin(), ids.end());
   std::sort(sought.begin(), sought.end());
-  const auto here = i.engine->fluid().id;
+  const auto here = i.engine().fluid().id;
   std::vector<int> places;
   for (std::size_t k = 0; k < here.size(); ++k)
     if (std::binary_search(sought.begin(), sought.end(), here[k])) places.push_back(int(k));
@@ -114,19 +115,20 @@ void Simulation::remove_particles(std::span<const std::uint64_t> ids) {
                             places.size(), ids.size()));
   i.health->note_intervention();
   i.edited = true;
-  i.engine->remove(places);
+  i.end_edit();
+  i.engine().remove(places);
 }
 
 void Simulation::observe(ObserverSchedule schedule,
                          std::function<void(const Simulation&)> observer) {
-  const Every every = schedule.seconds > 0
-                          ? Every({}, schedule.seconds)
-                          : Every(std::max<std::int64_t>(schedule.steps, 1), {});
+  const Every every = schedule.seconds > 0 ? Every({}, schedule.seconds)
+                                           : Every(std::max<std::int64_t>(schedule.steps, 1), {});
   impl_->observers.emplace_back(every, std::move(observer));
 }
 
 void Simulation::step() {
   Impl& i = *impl_;
+  i.end_edit();
   const double before = i.time, dt = i.advance(i.time, i.next_step(), 0, infinity);
   ++i.steps;
   i.time = i.scene.time.adaptive ? i.time + dt : double(i.steps) * dt;
@@ -134,7 +136,8 @@ void Simulation::step() {
   i.time_steps.min = i.steps == 1 ? dt : std::min(i.time_steps.min, dt);
   i.time_steps.max = std::max(i.time_steps.max, dt);
   if (Health::due(i.steps) || finished())
-    i.health->look({i.steps, i.time, dt}, i.engine->fluid(), i.solves, [&i] { return i.bounds(); });
+    i.health->look({i.steps, i.time, dt}, i.engine().fluid(), i.solves,
+                   [&i] { return i.bounds(); });
   for (const auto& [every, observer] : i.observers)
     if (every.due({i.steps - 1, before, i.time, false})) observer(*this);
 }
@@ -146,7 +149,7 @@ void Simulation::step() {
 /// steps.
 double Simulation::Impl::advance(double from, double dt, int halvings, double whole) {
   constexpr int most_halvings = 3;
-  const auto solved = engine->step(from, dt);
+  const auto solved = engine().step(from, dt);
   double worst = 0;
   bool converged = true;
   for (const Solve& s : solved) {
@@ -156,10 +159,10 @@ double Simulation::Impl::advance(double from, double dt, int halvings, double wh
   if (converged && halvings == 0) retries_help = true;
   if (converged || !scene.time.retry || !retries_help || !scene.method().incompressible()) {
     note(solved);
-    engine->flow(from + dt, dt);
+    engine().flow(from + dt, dt);
     return dt;
   }
-  engine->undo();
+  engine().undo();
   if (halvings > 0 && worst > 0.75 * whole) return 0;
   double gone = 0;
   if (halvings < most_halvings) {
@@ -196,8 +199,8 @@ void Simulation::Impl::note(const Solves& solved) {
 
 /// Bodies alone have no bounds: those of an engine are of its liquid, even without a particle.
 TimeStepBounds Simulation::Impl::bounds() const {
-  if (!has_fluid(scene) && engine->fluid().size() == 0) return {infinity, infinity, infinity};
-  return engine->bounds(time);
+  if (!has_fluid(scene) && engine().fluid().size() == 0) return {infinity, infinity, infinity};
+  return engine().bounds(time);
 }
 
 double Simulation::Impl::next_step() {
@@ -216,14 +219,14 @@ double Simulation::Impl::next_step() {
 }
 
 Simulation::Moment Simulation::moment() const {
-  return {impl_->time, impl_->engine->bounce_impulses(), impl_->engine->flow_counts()};
+  return {impl_->time, impl_->engine().bounce_impulses(), impl_->engine().flow_counts()};
 }
 
 std::vector<Vector> Simulation::wall_forces(const Moment& since) const {
-  std::vector<Vector> forces = impl_->engine->wall_forces();
+  std::vector<Vector> forces = impl_->engine().wall_forces();
   const double interval = impl_->time - since.time;
   if (!(interval > 0)) return forces;
-  const std::vector<Vector> impulses = impl_->engine->bounce_impulses();
+  const std::vector<Vector> impulses = impl_->engine().bounce_impulses();
   for (std::size_t w = 0; w < forces.size(); ++w)
     for (std::size_t d = 0; d < forces[w].size(); ++d) {
       const double before = w < since.impulses.size() ? since.impulses[w][d] : 0;
@@ -243,20 +246,20 @@ std::vector<Vector> Simulation::tractions(const std::vector<WallPatch>& patches)
                               "center, half and {} axes so many each",
                               n, n));
   }
-  return impl_->engine->tractions(patches, impl_->scene.particles.spacing);
+  return impl_->engine().tractions(patches, impl_->scene.particles.spacing);
 }
 
 std::vector<Flow> Simulation::flows(const Moment& since) const {
   const Impl& i = *impl_;
   const Scene& s = i.scene;
   const std::vector<std::string> names = s.flow_names();
-  const std::vector<std::int64_t> counts = i.engine->flow_counts();
+  const std::vector<std::int64_t> counts = i.engine().flow_counts();
   const double volume = std::pow(s.particles.spacing, s.dimension());
   const double interval = i.time - since.time;
   std::vector<Flow> all;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    const bool in = k < s.inlet.size(), out = !in && k < s.inlet.size() + s.outlet.size();
-    Flow f{in ? "inlet" : out ? "outlet" : "counter", names[k], counts[k]};
+    const bool in = k < s.inlet.size();
+    Flow f{s.flow_kind(k), names[k], counts[k]};
     f.volume = volume * double(f.particles);
     const std::int64_t before = k < since.passed.size() ? since.passed[k] : 0;
     if (interval > 0) f.rate = volume * double(f.particles - before) / interval;
@@ -285,7 +288,7 @@ Statistics Simulation::statistics() const {
     double speed2 = 0, potential = 0;
     bool inside = true;
     for (std::size_t d = 0; d < D; ++d) {
-      const double x = f.x[D * i + d], v = f.v[D * i + d];
+      const double x = f.position(i, d), v = f.v[D * i + d];
       speed2 += v * v;
       inside &= x >= s.domain.min[d] - margin && x <= s.domain.max[d] + margin;
       potential -= m * s.domain.gravity[d] * x;
@@ -304,7 +307,7 @@ Statistics Simulation::statistics() const {
       out.speed_max = speed;
       out.fastest = f.id[i];
     }
-    out.height_mean += double(f.x[D * i + 1]);
+    out.height_mean += f.position(i, 1);
     out.kinetic_energy += m / 2 * speed2;
     out.potential_energy += potential;
   }

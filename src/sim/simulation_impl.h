@@ -12,6 +12,7 @@
 #include "freshet/simulation.h"
 #include "scene/model/schedule.h"
 #include "scene/model/setup.h"
+#include "sim/far_positions.h"
 #include "sim/health.h"
 
 namespace freshet {
@@ -21,10 +22,24 @@ struct Simulation::Impl {
       : scene(with_defaults(std::move(s))),
         derived(derive(scene)),
         bodies(scene.body.empty() ? nullptr : std::make_unique<Bodies>(scene)),
-        engine(make_engine_of(execution)) {
-    health.emplace(scene, derived, engine->fluid());
+        engine_(make_engine_of(execution)) {
+    health.emplace(scene, derived, engine_->fluid());
   }
   std::unique_ptr<Engine> make_engine_of(const Execution& execution) const;
+  /// The engine, after positions that the caller has written have reached it.
+  Engine& engine() const {
+    far_.write_back(*engine_);
+    return *engine_;
+  }
+  /// The fluid at positions in the scene.
+  ParticleView fluid() const { return far_.in_scene(engine().fluid()); }
+  /// The positions in the scene, to be written.
+  std::span<Real> edit_positions() { return far_.edit(engine()); }
+  /// Call before the particles change their number or order.
+  void end_edit() {
+    engine();
+    far_.end_edit();
+  }
   std::vector<StateArray> state() const;
   std::string state_digest(StateArray::Role role) const;
   class Resized;
@@ -36,7 +51,6 @@ struct Simulation::Impl {
   Scene scene;
   Derived derived;
   std::unique_ptr<Bodies> bodies;  // null without bodies
-  std::unique_ptr<Engine> engine;
   std::int64_t steps = 0;
   double time = 0;
   bool edited = false;  // the caller has added or removed particles
@@ -45,6 +59,10 @@ struct Simulation::Impl {
   std::vector<SolveStatistics> solves;
   bool retries_help = true;
   std::optional<Health> health;  // refers to the scene
+
+ private:
+  std::unique_ptr<Engine> engine_;
+  mutable FarPositions far_;
 };
 
 }  // namespace freshet

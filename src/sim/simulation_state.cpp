@@ -42,7 +42,7 @@ static_assert(std::endian::native == std::endian::little, "digests are over litt
 
 /// Without the arrays of sets that nothing is in.
 std::vector<StateArray> Simulation::Impl::state() const {
-  auto all = engine->state();
+  auto all = engine().state();
   std::erase_if(all, [](const StateArray& a) { return a.count == 0; });
   return all;
 }
@@ -77,7 +77,7 @@ Frame Simulation::frame() const {
     const std::size_t i = order[k];
     out.id[k] = f.id[i];
     for (std::size_t d = 0; d < D; ++d) {
-      out.x[D * k + d] = float(f.x[D * i + d]);
+      out.x[D * k + d] = float(f.position(i, d));
       out.v[D * k + d] = float(f.v[D * i + d]);
     }
     out.density[k] = float(f.density[i]);
@@ -88,7 +88,7 @@ Frame Simulation::frame() const {
 }
 
 std::string Simulation::state_sha256() const {
-  const ParticleView f = fluid();
+  const ParticleView f = impl_->engine().fluid();
   const auto d = std::size_t(f.dimension);
   Sha256 sha;
   const auto step = std::uint64_t(impl_->steps);
@@ -103,7 +103,7 @@ std::string Simulation::state_sha256() const {
 
 Checkpoint Simulation::checkpoint() const {
   Impl& i = *impl_;
-  i.health->look_for_lost({i.steps, i.time, i.time_steps.last}, i.engine->fluid());
+  i.health->look_for_lost({i.steps, i.time, i.time_steps.last}, i.engine().fluid());
   Checkpoint c;
   c.scene = scene().source;
   c.steps = impl_->steps;
@@ -154,11 +154,12 @@ class Simulation::Impl::Resized {
 
 void Simulation::restore(const Checkpoint& c) {
   check_checkpoint(c);
+  impl_->end_edit();
   const auto ids = std::find_if(c.arrays.begin(), c.arrays.end(),
                                 [](const StateArray& a) { return a.name == "fluid/id"; });
-  const auto here = std::int64_t(impl_->engine->fluid().size());
+  const auto here = std::int64_t(impl_->engine().fluid().size());
   const bool resizes = impl_->scene.has_flows() || impl_->edited || c.edited;
-  Impl::Resized resized(*impl_->engine);
+  Impl::Resized resized(impl_->engine());
   resized.to(!resizes ? here : ids == c.arrays.end() ? 0 : ids->count);
   const auto refuse = [](const std::string& why) {
     throw Error(Error::Kind::scene, "", "this checkpoint is not of this scene: " + why);
@@ -203,7 +204,7 @@ void Simulation::restore(const Checkpoint& c) {
     std::copy(it->bytes.begin(), it->bytes.end(), a.data);
   }
   resized.keep();
-  impl_->engine->continue_from(c.steps);
+  impl_->engine().continue_from(c.steps);
   impl_->steps = c.steps;
   impl_->time = c.time;
   impl_->health->go_on(c.watch);

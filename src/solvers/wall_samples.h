@@ -7,7 +7,8 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Computes psi [kg] of all boundary particles of akinci2012, once at the start. It sorts them.
+/// Computes psi [kg] of all boundary particles of akinci2012, once at the start. It sorts them. Reads
+/// their volume factors in psi.
 template <int D, class B, class Kernel>
 void prepare_walls(B& backend, Walls<D>& walls, const Kernel& W, Real support, Real rho0) {
   auto& wall = walls.akinci2012;
@@ -15,7 +16,7 @@ void prepare_walls(B& backend, Walls<D>& walls, const Kernel& W, Real support, R
   backend.find_neighbors("walls", support, wall);
   const auto psi = wall.psi;
   backend.sum_pairs("walls", wall, over(wall, Akinci2012Volume{W}),
-                    [=] FRESHET_LAMBDA(int k, Real sum) { psi[k] = rho0 / sum; });
+                    [=] FRESHET_LAMBDA(int k, Real sum) { psi[k] *= rho0 / sum; });
 }
 
 }  // namespace FRESHET_ISA

@@ -2,7 +2,7 @@
 // Free bodies whose mass is set by hand, and bodies with locked axes.
 #include <numbers>
 
-#include "bodies/world.h"
+#include "bodies/body_world.h"
 #include "core/rotation.h"
 
 namespace freshet::test {

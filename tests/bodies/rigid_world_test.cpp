@@ -5,12 +5,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "bodies/world.h"
+#include "bodies/body_world.h"
 #include "core/rotation.h"
 #include "mesh/mesh_distance.h"
 #include "scene/model/body_mesh.h"
 #include "scene/model/expressions.h"
-#include "scene/model/setup.h"
 
 namespace freshet::test {
 namespace {

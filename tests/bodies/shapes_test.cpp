@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Turned boxes, polygons and tanks as rigid bodies.
-#include "bodies/world.h"
+#include "bodies/body_world.h"
 #include "scene/model/expressions.h"
 
 namespace freshet::test {

@@ -105,6 +105,34 @@ TEST(Plot, DrawsTheNamedColumns) {
             (std::set<std::string>{"below/a.svg", "run/observables.csv"}));
 }
 
+TEST(Plot, FindsColumnsInEveryTable) {
+  const TemporaryFolder folder;
+  const std::string run = run_in(folder / "run"), svg = (folder / "a.svg").string();
+  write_text(folder / "run/probes/gauge.csv", "time [s],distance [m]\n0.5,1\n1,2\n");
+  write_text(folder / "run/probes/other.csv", "time [s],distance [m]\n0.5,3\n1,4\n");
+  write_text(folder / "run/probes/line.csv", "time [s],x [m],pressure [Pa]\n1,0,5\n1,1,6\n");
+  write_text(folder / "run/bodies.csv",
+             "step,time [s],body,y [m]\n1,0.5,box,1\n1,0.5,lid,2\n2,1,box,3\n2,1,lid,4\n");
+  const auto lines = [&](const std::string& columns) {
+    const auto r = freshet({"plot", run, "--columns", columns, "--output", svg});
+    EXPECT_EQ(r.code, 0) << r.err;
+    std::size_t count = 0;  // each curve has a second line in the legend
+    for (const std::string& color : {std::string(blue), std::string(vermilion)})
+      count += lines_in(svg, color).size() / 2;
+    return count;
+  };
+  EXPECT_EQ(lines("distance"), 2u);  // of both probes
+  EXPECT_EQ(lines("gauge: distance"), 1u);
+  EXPECT_EQ(lines("box: y"), 1u);
+  EXPECT_EQ(lines("gauge: distance,box: y [m]"), 2u);
+  EXPECT_EQ(panels_in(svg), 1u);  // both have one unit
+  EXPECT_EQ(lines("y,speed max"), 3u);
+  EXPECT_EQ(panels_in(svg), 2u);
+  const std::string error = error_of({"plot", run, "--columns", "gauge: distence"}, 2);
+  EXPECT_TRUE(contains(error, "did you mean gauge: distance?")) << error;
+  EXPECT_FALSE(contains(error, "line: pressure")) << error;  // a line has no column over time
+}
+
 TEST(Plot, DrawsIterationsAndHalvedSteps) {
   const TemporaryFolder folder;
   write_text(folder / "run/observables.csv",
@@ -176,11 +204,11 @@ TEST(Plot, ListsTheColumnsIfOneIsUnknown) {
       "there are force on floor y, kinetic energy, least bound, potential energy, speed max, speed "
       "mean, step, time step, total energy\n";
   EXPECT_EQ(error_of({"plot", run, "--columns", "speed maks"}, 2),
-            "--columns: error: no column \"speed maks\" of numbers in " + run +
-                "/observables.csv; did you mean speed max? " + all);
-  EXPECT_EQ(
-      error_of({"plot", run, "--columns", "ruled by"}, 2),
-      "--columns: error: no column \"ruled by\" of numbers in " + run + "/observables.csv; " + all);
+            "--columns: error: no column \"speed maks\" of numbers over time in the tables of " +
+                run + "; did you mean speed max? " + all);
+  EXPECT_EQ(error_of({"plot", run, "--columns", "ruled by"}, 2),
+            "--columns: error: no column \"ruled by\" of numbers over time in the tables of " +
+                run + "; " + all);
   EXPECT_FALSE(fs::exists(folder / "run/plots"));
 }
 

@@ -35,8 +35,8 @@ TEST_P(Help, HasAnExample) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, Help,
-                         testing::Values("", "run", "check", "info", "scenes", "bench", "plot",
-                                         "schema", "completion"));
+                         testing::Values("", "run", "new", "check", "info", "scenes", "bench",
+                                         "plot", "schema", "completion", "complete", "manual"));
 
 TEST(Program, PrintsItsVersion) {
   const auto r = freshet({"--version"});
@@ -144,7 +144,7 @@ TEST(Completion, IsParsedByItsShell) {
     const auto r = freshet({"completion", shell});
     EXPECT_EQ(r.code, 0);
     EXPECT_TRUE(contains(r.out, "freshet")) << shell;
-    EXPECT_TRUE(contains(r.out, "overwrite")) << shell;
+    EXPECT_TRUE(contains(r.out, "freshet complete -- ")) << shell;
     const std::string script = (folder / shell).string();
     write_text(script, r.out);
     const auto parsed = run_process({shell, "-n", script});

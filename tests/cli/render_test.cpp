@@ -14,7 +14,8 @@ namespace {
 void make_run(const fs::path& folder) {
   write_text(folder / "scene.toml",
              "domain.max = [2, 1]\nparticles.spacing = 0.1\ntime = { end = 2, step = 1e-3 }\n"
-             "fluid = { min = [0, 0], max = [1, 0.5] }\npicture = { width = 64, height = 32 }\n");
+             "fluid = { min = [0, 0], max = [1, 0.5] }\npicture = { width = 64, height = 32, "
+             "color_range = [0, 1] }\n");
   for (int k = 0; k < 3; ++k) {
     Frame frame;
     frame.step = k;
@@ -110,6 +111,32 @@ TEST_F(Render, WritesNothingThroughALinkInTheRun) {
   EXPECT_EQ(files_below(folder / "outside").size(), 3u);
 }
 
+TEST(RenderRun, HasThePicturesOfTheRunAlsoOfAPartOfIt) {
+  const TemporaryFolder folder;
+  const std::string run = (folder / "run").string();
+  ASSERT_EQ(freshet({"run", "dam_break_2d", "--set", "particles.spacing=0.1", "--set",
+                     "particles.support_radius=0.3", "--set", "checks.density_mean_min=0", "--set",
+                     "time.end=0.6", "--set", "output.frame_every=0.1", "--set",
+                     "output.data=[\"vtp\"]", "--output", run, "--quiet"})
+                .code,
+            0);
+  const auto same = [&](const std::string& name) {
+    return read_text(folder / "run/frames" / name) == read_text(folder / "run/pictures" / name);
+  };
+  ASSERT_EQ(freshet({"render", run, "--quiet"}).code, 0);
+  for (const char* name : {"frame_0000.png", "frame_0002.png", "frame_0006.png"})
+    EXPECT_TRUE(same(name)) << name;
+  for (int k = 0; k < 4; ++k) fs::remove(folder / "run" / data_file(DataFormat::vtp, k));
+  fs::remove_all(folder / "run/pictures");
+  ASSERT_EQ(freshet({"render", run, "--quiet"}).code, 0);
+  EXPECT_TRUE(same("frame_0005.png"));
+
+  fs::remove(folder / "run/percentiles.csv");
+  const auto r = freshet({"render", run, "--overwrite"});
+  EXPECT_EQ(r.code, 0);
+  EXPECT_TRUE(contains(r.err, "percentiles.csv: warning: this table is missing")) << r.err;
+}
+
 /// A run with a body, whose table has the steps 0, 1 and 2 from line 2 on.
 class RenderBodies : public Render {
  protected:
@@ -121,8 +148,8 @@ class RenderBodies : public Render {
     write_text(table, header + row(0, "1.4") + row(1, "1.5") + row(2, "1.6"));
   }
   static std::string row(int step, const std::string& x) {
-    return std::to_string(step) + ",0," + "box," + x + ",0.35,0,0,0,0,1" + ",0,0,0,0,0,0,0,0,0" +
-           ",0,0,0\n";
+    return std::to_string(step) + ",0." + std::to_string(step) + ",box," + x + ",0.35,0,0,0,0,1" +
+           ",0,0,0,0,0,0,0,0,0" + ",0,0,0\n";
   }
   void expect_error(const std::string& bytes, const std::string& place, const std::string& words) {
     write_text(table, bytes);
@@ -154,9 +181,9 @@ TEST_F(RenderBodies, RejectsAMissingOrDamagedTable) {
   expect_error(start + "1,0.1\n" + row(2, "1.6"), table.string() + ":3", "this line has 2 values");
   expect_error(row(0, "1.4") + row(1, "1.5"), table.string() + ":1",
                "the first line does not name the columns");
-  expect_error(start + row(2, "1.6"), table.string(), "there is no row for each body at step 1");
+  expect_error(start + row(2, "1.6"), table.string(), "there is no row for each body at 0.1 s");
   expect_error(start + row(1, "1.5") + row(2, "1.6").substr(0, 20), table.string(),
-               "there is no row for each body at step 2");
+               "there is no row for each body at 0.2 s");
   fs::remove(table);
   expect_refused(render({"--overwrite"}), table.string() + ": error: this table is missing");
 }

@@ -43,5 +43,41 @@ TEST_F(Resume, BeginsAMissingTableAgain) {
   EXPECT_TRUE(rows.substr(header).starts_with("204,")) << rows.substr(header, 20);
 }
 
+/// Statistics since the last row, and frames within steps, with a resume between two rows.
+TEST_F(Resume, ContinuesStatisticsAndInterpolatedFrames) {
+  std::string scene = resumable_scene;
+  const std::string steps = "frame_every_steps = 33\n";
+  scene.replace(scene.find(steps), steps.size(),
+                "frame_every = 0.0123\nstatistics = true\ndata = [\"csv\"]\n");
+  write_text(folder / "scene.toml", scene + "[[probe]]\nname = \"p\"\npoint = [0.1, 0.05]\n");
+  ASSERT_EQ(freshet(arguments("whole")).code, 0);
+  ASSERT_EQ(freshet(arguments("run", {"--set", "time.end=0.1"})).code, 0);
+  const auto r = resume("run", {"--set", "time.end=0.25"});
+  ASSERT_EQ(r.code, 0) << r.err;
+  expect_same_run("whole", "run");
+  const std::string header = read_text(folder / "run/observables.csv");
+  EXPECT_TRUE(contains(header, ",force on y_min y max [N/m],")) << header.substr(0, 400);
+  EXPECT_TRUE(contains(read_text(folder / "run/data/frame_0001.csv"), "25,0.0123,0,"));
+}
+
+TEST_F(Resume, ContinuesTablesWithNamesInOtherAlphabets) {
+  const std::string scene =
+      (source_dir / "tests/scenes/good/names_in_other_alphabets.toml").string();
+  const fs::path whole = folder / "whole", run = folder / "run";
+  const auto start = [&](const fs::path& output, const char* end) {
+    return freshet({"run", scene, "--output", output.string(), "--set", end, "--set",
+                    "output.frame_every_steps=50"});
+  };
+  ASSERT_EQ(start(whole, "time.end=0.01").code, 0);
+  ASSERT_EQ(start(run, "time.end=0.005").code, 0);
+  ASSERT_EQ(freshet({"resume", run.string(), "--set", "time.end=0.01"}).code, 0);
+  expect_whole_run(run);
+  const std::string probe = "probes/前壁-1.csv";
+  EXPECT_EQ(read_text(run / probe), read_text(whole / probe));
+  const std::string header = lines_of(read_text(run / "observables.csv")).at(0);
+  EXPECT_TRUE(contains(header, ",force on Überlauf links x [N/m],")) << header;
+  EXPECT_TRUE(contains(header, ",flow through 計数面 [m^2/s],")) << header;
+}
+
 }  // namespace
 }  // namespace freshet::test

@@ -51,14 +51,16 @@ TEST(Streams, ClosedDescriptorsDoNotReachFiles) {
 }
 
 TEST(Streams, ReportUnwritableStdout) {
-  for (const char* command : {"schema", "--help"}) {
+  for (const char* command : {"schema", "--help", "scenes", "validate", "manual"}) {
     const auto full = freshet({command}, {.stdout_file = "/dev/full"});
     EXPECT_EQ(full.code, 1) << command;
     EXPECT_TRUE(contains(full.err, "standard output: No space left on device")) << full.err;
     const auto closed = freshet({command}, {.closed = {1}});
     EXPECT_EQ(closed.code, 1) << command;
     EXPECT_TRUE(contains(closed.err, "standard output: Bad file descriptor")) << closed.err;
-    EXPECT_EQ(freshet({command}, {.close_stdout_early = true}).code, 0) << command;
+    const auto gone = freshet({command}, {.close_stdout_early = true});
+    EXPECT_EQ(gone.code, 0) << command << gone.ended_by;
+    EXPECT_EQ(gone.err, "") << command;
   }
 }
 

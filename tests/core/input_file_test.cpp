@@ -99,6 +99,7 @@ TEST(ReadInput, EveryReaderRejectsAFifo) {
   };
   refused("scene.toml", [](const fs::path& file) { load_scene(file); });
   refused("points.csv", [](const fs::path& file) { read_points(file, 2); });
+  refused("points.vtk", [](const fs::path& file) { read_points(file, 3); });
   refused("mesh.ply", [](const fs::path& file) { read_mesh(file); });
   refused("mesh.stl", [](const fs::path& file) { read_mesh(file); });
   refused("motion.csv", [](const fs::path& file) { read_body_path(file, 2); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Any bytes give the points of a scene, a frame, or an Error. The first byte is the format: p, c
-/// or v for PLY, CSV or VTP in 3D, a capital in 2D. The file follows.
+/// Any bytes give the points of a scene, a frame, or an Error. The first byte is the format: a
+/// letter of the table below in 3D, a capital in 2D. The file follows.
 #include <cctype>
 #include <cstdio>
 #include <cstdlib>
@@ -47,30 +47,25 @@ void read_frame(std::string_view bytes, const char* file) {
   const auto again = freshet::frame_in(freshet::encode_vtp(frame), "again.vtp");
   require(again.id == frame.id && again.x == frame.x && again.v == frame.v &&
               again.density == frame.density && again.pressure == frame.pressure &&
-              again.step == frame.step && again.time == frame.time,
+              again.liquid == frame.liquid && again.step == frame.step && again.time == frame.time,
           "the frame changes when it is written and read again");
 }
+
+constexpr struct {
+  char letter;
+  const char* file;
+} formats[] = {{'p', "fuzz.ply"}, {'c', "fuzz.csv"}, {'v', "fuzz.vtp"}, {'u', "fuzz.vtu"},
+               {'k', "fuzz.vtk"}, {'x', "fuzz.xyz"}, {'b', "fuzz.bgeo"}};
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
-  const char* file = nullptr;
-  switch (std::tolower(data[0])) {
-    case 'p':
-      file = "fuzz.ply";
-      break;
-    case 'c':
-      file = "fuzz.csv";
-      break;
-    case 'v':
-      file = "fuzz.vtp";
-      break;
-    default:
-      return 0;
+  for (const auto& format : formats) {
+    if (std::tolower(data[0]) != format.letter) continue;
+    read_cloud(bytes, format.file, std::isupper(data[0]) ? 2 : 3);
+    read_frame(bytes, format.file);
   }
-  read_cloud(bytes, file, std::isupper(data[0]) ? 2 : 3);
-  read_frame(bytes, file);
   return 0;
 }

@@ -16,7 +16,8 @@ using freshet::Override;
 constexpr std::string_view separator = "\n#--set ";  // a comment in TOML
 constexpr double few_places = 20000;
 
-/// Removes the overrides from the end of the input and returns them: lines of "#--set KEY=VALUE".
+/// Removes the overrides from the end of the input and returns them: lines of "#--set KEY=VALUE", or
+/// of "#--set KEY", which removes the key.
 std::vector<Override> take_overrides(std::string& text) {
   std::vector<Override> all;
   while (all.size() < 4) {
@@ -25,8 +26,8 @@ std::vector<Override> take_overrides(std::string& text) {
     const std::string pair = text.substr(at + separator.size());
     text.resize(at + 1);
     const auto equals = pair.find('=');
-    if (equals != std::string::npos)
-      all.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
+    if (equals == std::string::npos) all.emplace_back(pair, std::nullopt);
+    else all.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
   }
   return all;
 }
@@ -45,7 +46,8 @@ void check_error(const freshet::Error& e, bool overridden) {
     const bool in_points =
         d.place.find(".csv") != std::string::npos || d.place.find(".ply") != std::string::npos;
     require(
-        d.place.starts_with("fuzz") || in_points || (overridden && d.place.starts_with("override ")),
+        d.place.starts_with("fuzz") || in_points || (overridden &&
+             (d.place.starts_with("override ") || d.place.starts_with("removal "))),
         "the diagnostic does not name a file or a key", d.text());
   }
 }

@@ -33,6 +33,15 @@ TEST(ReadFrame, ReadsWhatWasWritten) {
       }
 }
 
+TEST(ReadFrame, ReadsTheLiquidsOfParticles) {
+  for (const DataFormat format : formats) {
+    Frame f = sample_frame(3, 3);
+    f.liquid = {0, 2, 1};
+    EXPECT_EQ(f.liquid, frame_in(encode_frame(format, f, {}), data_file(format, 0)).liquid)
+        << data_file(format, 0);
+  }
+}
+
 TEST(ReadFrame, FillsMissingFieldsWithDefaults) {
   DataFields few;
   few.velocity = few.density = few.pressure = few.id = false;
@@ -69,7 +78,8 @@ TEST(ReadFrame, RejectsTruncatedFiles) {
 TEST(ReadFrame, ReportsPlaceAndRemedy) {
   EXPECT_EQ("a.txt: error: not *.h5, *.vtp, *.ply or *.csv; name a data file of a run",
             refused("x,y\n1,2\n", "a.txt"));
-  EXPECT_EQ("a.csv:1: error: there is no x or no y; is it the right file?", refused("", "a.csv"));
+  EXPECT_EQ("a.csv:1: error: the columns x and y are missing; name a data file of a run",
+            refused("", "a.csv"));
   EXPECT_EQ("a.csv:2: error: a number is inf; the file is damaged",
             refused("x,y\n1,inf\n", "a.csv"));
   EXPECT_EQ("a.csv: error: the last line has no end; the file is cut off",
@@ -77,12 +87,12 @@ TEST(ReadFrame, ReportsPlaceAndRemedy) {
   EXPECT_EQ("a.csv:1: error: y is named twice; name every column once",
             refused("x,y,y\n", "a.csv"));
   EXPECT_EQ(
-      "a.csv:2: error: an id, a step or a liquid is -1, and they are whole numbers; the file is "
+      "a.csv:2: error: an id, step or liquid is -1 and must be a whole number; the file is "
       "damaged",
       refused("x,y,id\n1,2,-1\n", "a.csv"));
   EXPECT_EQ("a.ply:3: error: its dimension is neither 2 nor 3; the file is damaged",
             refused("ply\nformat ascii 1.0\ncomment dimension 4\n", "a.ply"));
-  EXPECT_EQ("a.ply:7: error: there is no z; the file is damaged",
+  EXPECT_EQ("a.ply:7: error: the column z is missing; the file is damaged",
             refused("ply\nformat ascii 1.0\ncomment dimension 3\nelement vertex 0\n"
                     "property float x\nproperty float y\nend_header\n",
                     "a.ply"));

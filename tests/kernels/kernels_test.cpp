@@ -174,6 +174,21 @@ TYPED_TEST(DensityKernels, GiveARestingLatticeItsRestDensity) {
   }
 }
 
+// A float's squares of gradients overflow at 1e-5 m and are 0 at 1e6 m in 3D.
+TEST(LatticeResponse, ScalesWithTheSpacing) {
+  const double stiffness = lattice_stiffness<3>(CubicSpline<3>(2), 1, 2);
+  for (const double spacing : {1e-6, 1e-5, 1e-3, 1.0, 1e3, 1e5, 1e6}) {
+    const auto support = Real(2 * spacing);
+    const double in_2d = lattice_response<2>(CubicSpline<2>(support), spacing, 2 * spacing),
+                 in_3d = lattice_response<3>(CubicSpline<3>(support), spacing, 2 * spacing);
+    EXPECT_NEAR(0.52003, in_2d * std::pow(spacing, 6), 1e-5) << spacing;
+    EXPECT_NEAR(0.42484, in_3d * std::pow(spacing, 8), 1e-5) << spacing;
+    EXPECT_NEAR(stiffness, lattice_stiffness<3>(CubicSpline<3>(support), spacing, 2 * spacing),
+                1e-4)
+        << spacing;
+  }
+}
+
 /// The sum of -x . grad W / D over the lattice: the discrete gradient of a linear field of slope 1.
 template <int D, class Kernel> double gradient_sum(const Kernel& W, double ratio) {
   const auto slope = [&](const Pair<D, Real>& ij) { return -dot(ij.x, W.gradient(ij)) / D; };

@@ -93,5 +93,11 @@ TEST(PlacesSeen, KeepPeaksGapsAndEnds) {
     EXPECT_TRUE(std::binary_search(places.begin(), places.end(), place)) << place;
 }
 
+TEST(Axis, TitleHasTheUnitWithRaisedExponents) {
+  EXPECT_EQ("density [kg/m³]", axis_title("density", "kg/m^3"));
+  EXPECT_EQ("step", axis_title("step", ""));
+  EXPECT_EQ("[m²/s]", axis_title("", "m^2/s"));
+}
+
 }  // namespace
 }  // namespace freshet

@@ -114,9 +114,9 @@ TEST(Balls, HaveTheSamePixelsOnAnyNumberOfThreads) {
   const Scene scene = deep_scene("camera.orbit = 10", {{"picture.height", "130"}});
   std::vector<float> x;
   for (int k = 0; k < 3000; ++k) x.push_back(float(k * 7919 % 1000) / 500 - (k % 3 == 1 ? 0 : 1));
-  const auto pixels = draw(scene, balls_at(x), 1).pixels;
-  EXPECT_EQ(pixels, draw(scene, balls_at(x), 2).pixels);
-  EXPECT_EQ(pixels, draw(scene, balls_at(x), 7).pixels);
+  const auto pixels = draw(scene, balls_at(x), {}, 1).pixels;
+  EXPECT_EQ(pixels, draw(scene, balls_at(x), {}, 2).pixels);
+  EXPECT_EQ(pixels, draw(scene, balls_at(x), {}, 7).pixels);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "render/pictures.h"
@@ -42,19 +43,84 @@ TEST(Coloring, ReadsTheSelectedField) {
   }
 }
 
-TEST(Coloring, RangeIsOfTheParticlesOrAsSet) {
+TEST(Coloring, RangeIsOfThePictureParticlesOrAsSet) {
   Frame frame = two_dots();
   frame.v = {0, 0, 3, -4};
   const auto range = [&](const std::string& tables) {
     const Coloring c = color_particles(flat_scene(tables), frame);
     return std::pair{c.low, c.high};
   };
-  EXPECT_EQ(std::pair(0.0f, 5.0f), range(""));
-  EXPECT_EQ(std::pair(-4.0f, 4.0f), range("picture.color_by = \"velocity_y\""));
-  EXPECT_EQ(std::pair(0.0f, 1.0f), range("picture.color_by = \"id\""));
+  const std::string own = "picture.color_scale = \"picture\"\n";
+  EXPECT_EQ(std::pair(0.0f, 5.0f), range(own));
+  EXPECT_EQ(std::pair(-4.0f, 4.0f), range(own + "picture.color_by = \"velocity_y\""));
+  EXPECT_EQ(std::pair(0.0f, 1.0f), range(own + "picture.color_by = \"id\""));
   EXPECT_EQ(std::pair(1.0f, 2.0f), range("picture.color_range = [1, 2]"));
   frame.v = {0, 0, 0, 0};  // as in the article, the range ends at 0.1 m/s at least
-  EXPECT_EQ(std::pair(0.0f, 0.1f), range(""));
+  EXPECT_EQ(std::pair(0.0f, 0.1f), range(own));
+}
+
+/// Particles of speed 1 m/s, but for one of 100 m/s.
+Frame one_fast_particle() {
+  Frame frame;
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    frame.id.push_back(i);
+    frame.x.insert(frame.x.end(), {0.5f, 0.5f});
+    frame.v.insert(frame.v.end(), {i == 77 ? 100.0f : 1.0f, 0});
+  }
+  frame.density.assign(200, 1000);
+  frame.pressure.assign(200, 0);
+  return frame;
+}
+
+TEST(Coloring, OneFastParticleDoesNotSetTheRange) {
+  const Scene scene = flat_scene("");
+  const Coloring c = color_particles(scene, one_fast_particle());
+  EXPECT_EQ(0, c.low);
+  EXPECT_EQ(1, c.high);
+  EXPECT_EQ(map_color(ColorMap::water, 1), c(77));
+}
+
+TEST(Coloring, RangeIsThatOfTheRunSoFar) {
+  const Scene scene = flat_scene("");
+  ColorRanges ranges = percentiles_of(scene, one_fast_particle());
+  Frame later = one_fast_particle();
+  for (float& v : later.v) v /= 2;
+  EXPECT_EQ(1, color_particles(scene, later, ranges).high);
+  for (float& v : later.v) v *= 6;
+  include(ranges, percentiles_of(scene, later));
+  EXPECT_EQ(3, color_particles(scene, one_fast_particle(), ranges).high);
+}
+
+TEST(Coloring, SlowMotionStaysDark) {
+  Frame slow = one_fast_particle();
+  for (float& v : slow.v) v *= 1e-6f;
+  const double fall = std::sqrt(2 * 9.81 * 1);
+  EXPECT_NEAR(0.1 * fall, color_particles(flat_scene(""), slow).high, 1e-6);
+}
+
+TEST(Coloring, PercentilesOfManyParticlesAreThoseOfASample) {
+  Frame many;
+  for (std::uint64_t i = 0; i < 100000; ++i) {
+    many.id.push_back(i);
+    many.x.insert(many.x.end(), {0, float(i % 256) / 256});  // ids are regular, as in a lattice
+    many.v.insert(many.v.end(), {0, 0});
+  }
+  many.density = many.pressure = std::vector<float>(100000, 0.0f);
+  const ColorRange height = percentiles_of(flat_scene(""), many)[std::size_t(ColorBy::height)];
+  EXPECT_NEAR(0.01, height.low, 0.01);
+  EXPECT_NEAR(0.99, height.high, 0.01);
+}
+
+TEST(Coloring, DefaultMapSuitsTheQuantity) {
+  const auto map = [](const char* quantity) {
+    return color_particles(flat_scene(std::string("picture.color_by = \"") + quantity + "\""),
+                           two_dots())
+        .map;
+  };
+  EXPECT_EQ(ColorMap::water, map("speed"));
+  EXPECT_EQ(ColorMap::coolwarm, map("velocity_x"));
+  EXPECT_EQ(ColorMap::coolwarm, map("density_error"));
+  EXPECT_EQ(ColorMap::viridis, map("pressure"));
 }
 
 TEST(Coloring, OfNoParticlesOrNanIsValid) {

@@ -26,6 +26,12 @@ class OneDot : public ::testing::Test {
   Image draw(float px, float py) {
     scene.domain.min = {0, 0};
     scene.domain.max = {4, 3};
+    scene.picture.width = 800;
+    scene.picture.height = 600;
+    scene.picture.stretch = true;
+    scene.picture.dots = Dots::glow;
+    scene.picture.color_map = ColorMap::article;
+    scene.picture.color_scale = ColorScale::picture;
     Frame frame;
     frame.id = {0};
     frame.x = {px, py};
@@ -50,24 +56,54 @@ TEST_F(OneDot, OutsideOrNanIsNotDrawn) {
 }
 
 TEST(Dots, ShowTheSelectedWindow) {
-  Image all = draw_dots(flat_scene(""), two_dots());
-  Image part = draw_dots(flat_scene("picture.window = [1, 0.25, 2, 0.75]"), two_dots());
+  const std::string glow = "picture.dots = \"glow\"\n";
+  Image all = draw_dots(flat_scene(glow), two_dots());
+  Image part = draw_dots(flat_scene(glow + "picture.window = [1, 0.25, 2, 0.75]"), two_dots());
   const Color ground{8, 10, 28};
   EXPECT_FALSE(all.at(55, 55) == ground);
   EXPECT_EQ(ground, part.at(55, 55));
   EXPECT_EQ(all.at(155, 55), part.at(105, 55));
 }
 
-TEST(Dots, AreDiscsOfTheirColorIfSolid) {
+TEST(Dots, AreDiscsOfTheirColor) {
   const std::string white = "picture.background = \"white\"\n";
-  Image image = draw_dots(flat_scene(white + "picture.dots = \"solid\""), two_dots());
-  const Color blue{0, 0, 255}, ground{255, 255, 255};
+  Image image = draw_dots(flat_scene(white), two_dots());
+  const Color blue{20, 76, 160}, ground{255, 255, 255};
   EXPECT_EQ(blue, image.at(55, 55));
   EXPECT_EQ(blue, image.at(58, 55));  // the spacing is 10 px
   EXPECT_EQ(ground, image.at(62, 55));
-  image = draw_dots(flat_scene(white + "picture.dots = \"solid\"\npicture.dot_radius = 10"),
-                    two_dots());
+  image = draw_dots(flat_scene(white + "picture.dot_radius = 10"), two_dots());
   EXPECT_EQ(blue, image.at(63, 55));
+}
+
+/// The width and height of the pixels that are not background, inside the frame.
+std::pair<int, int> size_of_drawn(Image image) {
+  int left = image.width, top = image.height, right = -1, bottom = -1;
+  for (int y = 20; y < image.height - 20; ++y)
+    for (int x = 20; x < image.width - 20; ++x) {
+      if (image.at(x, y) == Color{8, 10, 28} || image.at(x, y) == Color{80, 80, 120}) continue;
+      left = std::min(left, x);
+      right = std::max(right, x);
+      top = std::min(top, y);
+      bottom = std::max(bottom, y);
+    }
+  return {right - left + 1, bottom - top + 1};
+}
+
+TEST(Dots, ACircleIsRoundInAnyPicture) {
+  for (const char* size : {"", "picture.width = 400\n", "picture.height = 300\n",
+                           "picture.width = 400\npicture.height = 300\n",
+                           "picture.width = 800\npicture.height = 120\n"}) {
+    const Scene scene = parse_scene(
+        "domain.max = [4, 1]\nparticles.spacing = 0.1\ntime = { end = 2, step = 1e-3 }\n"
+        "fluid = { min = [0, 0], max = [1, 0.5] }\n"
+        "wall = { shape = \"sphere\", center = [2, 0.5], radius = 0.3 }\n" +
+            std::string(size),
+        "test.toml");
+    const auto [width, height] = size_of_drawn(draw_dots(scene, Frame{}));
+    EXPECT_NEAR(width, height, 1) << size;
+    EXPECT_GT(width, 40) << size;
+  }
 }
 
 TEST(Dots, WallShapesAreDrawn) {

@@ -6,6 +6,7 @@
 #include "render/dots.h"
 #include "render/draw.h"
 #include "render/pictures.h"
+#include "scene/model/picture_layout.h"
 
 namespace freshet::test {
 namespace {
@@ -61,12 +62,15 @@ TEST(Overlay, TimeIsAtTheTopLeft) {
   EXPECT_LT(c.bottom, 40);
 }
 
-TEST(Overlay, ColorBarIsOnTheRight) {
-  const Changed c = changed_by("picture.color_bar = true");
-  EXPECT_GT(c.left, 400);
-  EXPECT_LT(c.right, 600);
-  EXPECT_GT(c.bottom, 100);
-  EXPECT_LT(c.bottom, 160);
+TEST(Overlay, ColorBarIsRightOfTheFluid) {
+  const Scene scene = flat_scene("picture.color_bar = true");
+  const PictureLayout layout = picture_layout(scene);
+  const Changed c(draw_dots(scene, two_dots()), draw(scene, two_dots()));
+  EXPECT_GE(c.left, layout.width - layout.color_bar);
+  EXPECT_GE(c.left, layout.view.left + layout.view.width);
+  EXPECT_LT(c.right, layout.width);
+  EXPECT_LT(c.top, 20);
+  EXPECT_GT(c.bottom, 90);
 }
 
 TEST(Overlay, ScaleBarIsOneMetreLong) {

@@ -21,8 +21,8 @@ const Scene& two_bodies() {
 }
 
 std::string row(int step, const std::string& body, const std::string& last = "0") {
-  return std::to_string(step) + ",0.5," + body + ",1,2,3,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0," + last +
-         "\n";
+  return std::to_string(step) + "," + std::to_string(step) + ".5," + body +
+         ",1,2,3,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0," + last + "\n";
 }
 
 std::string refused(const std::string& rows) {
@@ -42,16 +42,18 @@ TEST(ReadBodies, ReadsWhatARunWrites) {
   std::string table = body_header(sim.scene());
   for (int k = 0; k < 2; ++k) {
     sim.step();
-    table += body_lines(sim);
+    table += body_lines(sim.frame(), sim.scene());
   }
-  const auto steps = read_bodies(table, sim.scene(), "bodies.csv");
-  ASSERT_EQ(2u, steps.size());
-  ASSERT_EQ(2u, steps.at(2).size());
-  EXPECT_NEAR(sim.bodies()[1].position[0], steps.at(2)[1].position[0], 1e-8);
-  EXPECT_EQ(1, steps.at(1)[0].orientation[3]);
+  const auto times = read_bodies(table, sim.scene(), "bodies.csv");
+  ASSERT_EQ(2u, times.size());
+  const auto& [time, bodies] = *times.rbegin();
+  EXPECT_NEAR(sim.time(), time, 1e-8);
+  ASSERT_EQ(2u, bodies.size());
+  EXPECT_NEAR(sim.bodies()[1].position[0], bodies[1].position[0], 1e-8);
+  EXPECT_EQ(1, bodies[0].orientation[3]);
 }
 
-TEST(ReadBodies, SkipsALastStepThatIsNotComplete) {
+TEST(ReadBodies, SkipsALastTimeThatIsNotComplete) {
   const std::string whole = body_header(two_bodies()) + row(1, "a") + row(1, "b");
   for (const std::string& rest : {std::string(), row(2, "a"), row(2, "a") + "2,0.5,b,1,2",
                                   row(2, "a") + row(2, "b", "0.12").substr(0, 40)})
@@ -76,14 +78,14 @@ TEST(ReadBodies, RejectsDamagedTables) {
         << value;
   EXPECT_EQ("bodies.csv:2: error: the step is not a whole number from 0", refused(row(-1, "a")));
   EXPECT_EQ(
-      "bodies.csv:2: error: this row is not of the body \"a\"; every step has a row for each "
+      "bodies.csv:2: error: this row is not of the body \"a\"; every time has a row for each "
       "body, in the order of the scene",
       refused(row(1, "b") + row(1, "a")));
   EXPECT_EQ(
-      "bodies.csv:3: error: the step is 2, and the row before is of step 1, which lacks a row of "
-      "the body \"b\"",
+      "bodies.csv:3: error: the time is 2.5, and the row before is of the time 1.5, which lacks a "
+      "row of the body \"b\"",
       refused(row(1, "a") + row(2, "b")));
-  EXPECT_EQ("bodies.csv:4: error: the step is 1, and must be greater than that before, 1",
+  EXPECT_EQ("bodies.csv:4: error: the time is 1.5, and must be greater than that before, 1.5",
             refused(row(1, "a") + row(1, "b") + row(1, "a")));
 }
 

@@ -9,10 +9,10 @@
 
 #include "freshet/scene.h"
 #include "freshet/scene_documents.h"
+#include "freshet/suggest.h"
 #include "mesh/triangle_mesh.h"
 #include "scene/model/body_shape.h"
 #include "scene/model/expressions.h"
-#include "scene/keys/suggest.h"
 
 namespace freshet {
 namespace {

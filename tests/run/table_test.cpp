@@ -56,17 +56,24 @@ TEST(Table, SkipsAnIncompleteLastLine) {
 }
 
 TEST(Table, ErrorsNameTheLine) {
-  EXPECT_EQ("table.csv:1: error: no whole line; the first must name the columns", error_of(""));
-  EXPECT_EQ("table.csv:1: error: no whole line; the first must name the columns",
-            error_of("step,time [s]"));
-  EXPECT_EQ("table.csv:3: error: 1 value, and the first line names 2; every line must give all",
+  const std::string no_line = "the file has no complete line; the first must name the columns";
+  EXPECT_EQ("table.csv:1: error: " + no_line, error_of(""));
+  EXPECT_EQ("table.csv:1: error: " + no_line, error_of("step,time [s]"));
+  EXPECT_EQ("table.csv:2: error: " + no_line, error_of("# a comment\n"));
+  EXPECT_EQ("table.csv:3: error: 1 value instead of 2; write one per column",
             error_of("step,time [s]\n1,2\n3\n4,5\n"));
-  EXPECT_EQ("table.csv:2: error: 3 values, and the first line names 2; every line must give all",
+  EXPECT_EQ("table.csv:2: error: 3 values instead of 2; write one per column",
             error_of("step,time [s]\n1,2,3\n"));
-  EXPECT_EQ(
-      "table.csv:3: error: \"soon\" in the column \"time\" is no number; the column has a unit, "
-      "[s], and must hold numbers only",
-      error_of("step,time [s]\n1,2\n2,soon\n"));
+}
+
+/// The file may be another than a table, with contents that no message may show.
+TEST(Table, ErrorsContainNoFields) {
+  const std::string not_a_number =
+      "value 2 is not a number, and its column has a unit; write numbers only, or name the column "
+      "without a unit";
+  EXPECT_EQ("table.csv:3: error: " + not_a_number, error_of("step,time [s]\n1,2\n2,secret\n"));
+  EXPECT_EQ("table.csv:4: error: " + not_a_number,
+            error_of("# a comment\nstep,time [s]\n1,2\n2,secret\n"));
 }
 
 TEST(Table, RejectsMissingFilesAndFolders) {

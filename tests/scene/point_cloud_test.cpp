@@ -102,10 +102,10 @@ TEST_F(PointFile, ReadsPlyOfBlender) {
 
 TEST_F(PointFile, ReportsPlaceAndRemedy) {
   EXPECT_EQ(
-      "a.csv:3: error: value 2 is no number; write numbers like 0.5 or 1e-3, with commas "
-      "between them",
+      "a.csv:3: error: value 2 is not a number; write numbers like 0.5 or 1e-3, with one "
+      "separator between them",
       refused("a.csv", "x,y\n1,2\n1,two\n", 2));
-  EXPECT_EQ("a.csv:2: error: 3 values, and the first line names 2; give every point all",
+  EXPECT_EQ("a.csv:2: error: 3 values instead of 2; write one per column",
             refused("a.csv", "x,y\n1,2,3\n", 2));
   EXPECT_EQ(
       "a.csv:1: error: z is missing; a 3D scene needs x, y, z and optionally vx, vy, vz; columns "
@@ -122,32 +122,36 @@ TEST_F(PointFile, ReportsPlaceAndRemedy) {
       refused("a.csv", "x,y\n1,nan\n", 2));
   EXPECT_EQ("a.csv:2: error: z is 3, and the scene is in 2D; make it 0, or add z to domain.max",
             refused("a.csv", "x,y,z\n1,2,3\n", 2));
-  EXPECT_EQ("a.csv: error: the file has no points; is it the right file?",
+  EXPECT_EQ("a.csv: error: the file has no points; name another file",
             refused("a.csv", "x,y\n", 2));
-  EXPECT_EQ("a.txt: error: not *.ply, *.vtp or *.csv; convert it to one",
-            refused("a.txt", "x,y\n"));
+  EXPECT_EQ(
+      "a.txt: error: not a known format of points (*.csv, *.ply, *.vtk, *.vtp, *.vtu, *.xyz, "
+      "*.bgeo "
+      "or *.bhclassic); rename it to *.csv if a line names its columns, else to *.xyz",
+      refused("a.txt", "x,y\n"));
   EXPECT_EQ("a.ply:1: error: not PLY: the first line is not \"ply\"; check the file",
             refused("a.ply", "x,y\n1,2\n"));
-  EXPECT_EQ("a.ply:3: error: another element stands before the vertices; put them first",
+  EXPECT_EQ("a.ply:3: error: the first element must be vertex; put the vertices first",
             refused("a.ply", "ply\nformat ascii 1.0\nelement face 2\n"));
   EXPECT_EQ(
       "a.ply:4: error: y is missing; a 2D scene needs x, y and optionally vx, vy; columns found: "
       "\"x\"",
       refused("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n", 2)
           .replace(6, 1, "4"));
-  EXPECT_EQ("a.ply:12: error: not 7 numbers, which the header asks for; the file is damaged",
+  EXPECT_EQ("a.ply:12: error: a value is missing or not a number; the header names 7 per line",
             refused("a.ply", "ply\nformat ascii 1.0\n" + head + "1 2 3 4 5 6 x\n1 2 3 4 5 6 7 8\n")
                 .replace(6, 2, "12"));
   EXPECT_EQ(
-      "a.ply: error: the header tells of 9999999999 vertices, and the file ends before; it "
+      "a.ply: error: the header announces 9999999999 vertices, and the file is too short; it "
       "is cut off",
       refused("a.ply",
               "ply\nformat ascii 1.0\nelement vertex 9999999999\nproperty float x\n"
               "property float y\nproperty float z\nend_header\n1 2 3\n"));
   EXPECT_EQ(
-      "a.ply:4: error: a vertex has a list or a property of unknown type; save it without",
+      "a.ply:4: error: the vertices have a list or a property of unknown type; save them without "
+      "it",
       refused("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty list uchar int x\n"));
-  EXPECT_EQ("a.ply:2: error: an unknown format; save it as ascii or binary_little_endian PLY",
+  EXPECT_EQ("a.ply:2: error: the format is unknown; save it as ascii or binary_little_endian PLY",
             refused("a.ply", "ply\nformat text 1.0\n"));
 }
 
@@ -188,8 +192,8 @@ TEST_F(PointFile, ReadsOtherSeparatorsAndComments) {
       "x,y,z before it",
       refused("b.csv", "1,2.5\n3,4\n", 2));
   EXPECT_EQ(
-      "c.csv:3: error: value 2 is no number; write numbers like 0.5 or 1e-3, with commas between "
-      "them",
+      "c.csv:3: error: value 2 is not a number; write numbers like 0.5 or 1e-3, with one "
+      "separator between them",
       refused("c.csv", "# comment\nx,y\n1,2:5\n", 2));
 }
 

@@ -13,74 +13,80 @@ Scene scene_of(double end, double step) {
   return scene;
 }
 
-/// The steps after which frames are written. Expects that their number is the planned one.
-std::vector<std::int64_t> frames_of(const Scene& scene) {
-  const Schedule schedule(scene);
-  std::vector<std::int64_t> frames;
+using Times = std::vector<double>;
+
+/// The times of frames, with that of the end.
+Times times_of(const Scene& scene, const Every& every) {
+  Times times;
   const double dt = scene.time.step;
   for (std::int64_t k = 0; k < scene.steps(); ++k)
-    if (schedule.frame_after({k, double(k) * dt, double(k + 1) * dt, k + 1 == scene.steps()}))
-      frames.push_back(k);
-  EXPECT_EQ(std::int64_t(frames.size()), schedule.frames());
-  return frames;
+    for (const double t : every.frames_in({k, double(k) * dt, double(k + 1) * dt, false}))
+      times.push_back(t);
+  const double end = double(scene.steps()) * dt;
+  if (times.empty() || times.back() != end) times.push_back(end);
+  return times;
 }
-
-using Steps = std::vector<std::int64_t>;
+/// Expects that the number of frames is the planned one.
+Times frames_of(const Scene& scene) {
+  const Schedule schedule(scene);
+  const Times times = times_of(scene, schedule.frame());
+  EXPECT_EQ(std::int64_t(times.size()), schedule.frames());
+  return times;
+}
+void expect_times(const Times& expected, const Times& times) {
+  ASSERT_EQ(expected.size(), times.size());
+  for (std::size_t k = 0; k < times.size(); ++k) EXPECT_NEAR(expected[k], times[k], 1e-12);
+}
 
 TEST(Schedule, WritesFramesByTheNumberOfSteps) {
   Scene scene = scene_of(1, 0.1);
   scene.output.frame_every_steps = 4;
-  EXPECT_EQ((Steps{0, 4, 8, 9}), frames_of(scene));
+  expect_times({0.1, 0.5, 0.9, 1}, frames_of(scene));
   EXPECT_EQ(11u, frames_of(scene_of(101, 1)).size());
-  EXPECT_EQ((Steps{0}), frames_of(scene_of(1, 1)));
+  expect_times({1}, frames_of(scene_of(1, 1)));
 }
 
-TEST(Schedule, WritesAFrameAfterTheFirstStepThatReachesATime) {
+TEST(Schedule, WritesFramesAtExactlyTheirTimes) {
   Scene scene = scene_of(1, 0.1);
-  scene.output.frame_every = 0.3;  // 0.3, 0.6 and 0.9 s: the ends of steps 2, 5 and 8
-  EXPECT_EQ((Steps{0, 2, 5, 8, 9}), frames_of(scene));
-  scene.output.frame_every = 0.25;  // 0.25 s is within step 2, 0.5 s is the end of step 4
-  EXPECT_EQ((Steps{0, 2, 4, 7, 9}), frames_of(scene));
-  scene.output.frame_every = 0.1;
-  EXPECT_EQ(10u, frames_of(scene).size());
+  scene.output.frame_every = 0.3;
+  expect_times({0, 0.3, 0.6, 0.9, 1}, frames_of(scene));
+  scene.output.frame_every = 0.25;  // within a step
+  expect_times({0, 0.25, 0.5, 0.75, 1}, frames_of(scene));
+  scene.output.frame_every = 0.04;  // two or three in a step
+  EXPECT_EQ(26u, frames_of(scene).size());
   scene.output.frame_every = 5;
-  EXPECT_EQ((Steps{0, 9}), frames_of(scene));
+  expect_times({0, 1}, frames_of(scene));
 }
 
 TEST(Schedule, PlansTheNumberOfFramesForAnyStep) {
   for (const double step : {0.001, 0.0013, 0.017, 0.1, 0.3, 1.0})
     for (const double every : {0.3, 0.31, 0.9, 1.0, 2.0}) {
       Scene scene = scene_of(3, step);
-      if (every < step) continue;
       scene.output.frame_every = every;
       frames_of(scene);
     }
 }
 
-/// The steps after which data files are written. Expects that their number is the planned one.
-Steps data_of(const Scene& scene) {
+/// Expects that the number of data files is the planned one.
+Times data_of(const Scene& scene) {
   const Schedule schedule(scene);
-  Steps steps;
-  const double dt = scene.time.step;
-  for (std::int64_t k = 0; k < scene.steps(); ++k)
-    if (schedule.data_after({k, double(k) * dt, double(k + 1) * dt, k + 1 == scene.steps()}))
-      steps.push_back(k);
-  EXPECT_EQ(std::int64_t(steps.size()), schedule.data_frames());
-  return steps;
+  const Times times = times_of(scene, schedule.data());
+  EXPECT_EQ(std::int64_t(times.size()), schedule.data_frames());
+  return times;
 }
 
 TEST(Schedule, WritesDataWithTheFramesOrByItsOwnKeys) {
   Scene scene = scene_of(1, 0.1);
   scene.output.frame_every_steps = 4;
-  EXPECT_EQ((Steps{0, 4, 8, 9}), data_of(scene));
+  expect_times({0.1, 0.5, 0.9, 1}, data_of(scene));
   scene.output.data_every = 0.3;
-  EXPECT_EQ((Steps{0, 2, 5, 8, 9}), data_of(scene));
+  expect_times({0, 0.3, 0.6, 0.9, 1}, data_of(scene));
   scene.output.data_every.reset();
   scene.output.data_every_steps = 5;
-  EXPECT_EQ((Steps{0, 5, 9}), data_of(scene));
-  EXPECT_EQ((Steps{0, 4, 8, 9}), frames_of(scene));
+  expect_times({0.1, 0.6, 1}, data_of(scene));
+  expect_times({0.1, 0.5, 0.9, 1}, frames_of(scene));
   scene.output.data = {};
-  EXPECT_EQ(Steps{}, data_of(scene));
+  EXPECT_EQ(0, Schedule(scene).data_frames());
 }
 
 // The number of such intervals in a run is beyond any integer.
@@ -98,15 +104,15 @@ TEST(Schedule, OfAdaptiveStepsIsInSeconds) {
   scene.time.step_max = 0.05;
   EXPECT_EQ(20, scene.steps());
   const Schedule schedule(scene);
-  int frames = 0;
+  Times frames;
   double time = 0;
   for (std::int64_t k = 0; time < 1; ++k) {
     const double after = std::min(1.0, time + (k % 2 == 0 ? 0.013 : 0.05));
-    frames += schedule.frame_after({k, time, after, after >= 1});
+    for (const double t : schedule.frame().frames_in({k, time, after, false})) frames.push_back(t);
     time = after;
   }
-  EXPECT_EQ(frames, schedule.frames());
-  EXPECT_EQ(11, frames);
+  EXPECT_EQ(11, schedule.frames());
+  expect_times({0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1}, frames);
 }
 
 }  // namespace

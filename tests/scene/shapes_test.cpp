@@ -2,6 +2,8 @@
 // Turned boxes and polygons: distances and particles.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "scene/sample/region_surface.h"
 #include "scene/scene_text.h"
 
@@ -46,8 +48,8 @@ Vec<2, double> turned(Vec<2, double> x, Vec<2, double> about, double degrees) {
 TEST(TurnedBoxes, HaveTheDistancesOfTheBoxBeforeItsRotation) {
   const std::string box = "min = [0.5, 0.8]\nmax = [1.5, 1.2]\n";
   for (const char* side : {"", "side = \"inside\"\n"}) {
-    const RegionSurface<2> plain(with_wall(box + side).wall[0]),
-        turns(with_wall(box + side + "rotation = 25\n").wall[0]);
+    const RegionSurface<2> plain(with_wall(box + side).wall[0], 0.05),
+        turns(with_wall(box + side + "rotation = 25\n").wall[0], 0.05);
     for (const Vec<2, double> x :
          {Vec<2, double>{1, 1}, {0.6, 0.9}, {1.4, 1.5}, {1.52, 1.21}, {0.3, 0.2}}) {
       const double expected = plain.distance(x), found = turns.distance(turned(x, {1, 1}, 25));
@@ -95,7 +97,7 @@ TEST(Polygons, HaveTheirParticlesBehindTheirSurface) {
       "0.7]]\n";
   for (const char* side : {"", "side = \"inside\"\n"}) {
     const Scene s = with_wall(arrow + side);
-    const RegionSurface<2> surface(s.wall[0]);
+    const RegionSurface<2> surface(s.wall[0], 0.05);
     const auto x = particles_of_wall(s);
     EXPECT_GT(x.size(), 60u);
     for (const auto& p : x) {
@@ -112,7 +114,7 @@ TEST(Polygons, AreFilledWithFluid) {
                                  "points = [[0.5, 0.5], [1.5, 0.5], [1, 1], [0.5, 1.5]]\n");
   const double area = 0.5 * 1 * 1;  // a triangle, with a corner on its longest side
   EXPECT_NEAR(area / (0.02 * 0.02), double(sample(s).density.size()), 45);
-  const RegionSurface<2> shape(with_defaults(s).fluid[0]);
+  const RegionSurface<2> shape(with_defaults(s).fluid[0], 0.02);
   EXPECT_NEAR(0.1, shape.distance({0.6, 0.9}), 1e-12);
   EXPECT_NEAR(-std::sqrt(0.02), shape.distance({1.1, 1.1}), 1e-12);
 }
@@ -133,7 +135,7 @@ TEST(TurnedBoxes, HaveTheirParticlesBehindTheirSurfaceIn3D) {
             "[fluid]\nmin = [0, 0, 0]\nmax = [0.1, 0.1, 0.1]\n[[wall]]\n"
             "min = [0.5, 0.5, 0.5]\nmax = [1.5, 1.0, 1.2]\nrotation = [10, 20, 30]\nmethod = \"" +
             method + "\"\n"));
-    const RegionSurface<3> surface(s.wall[0]);
+    const RegionSurface<3> surface(s.wall[0], 0.05);
     const Sample all = sample(s);
     int found = 0;
     for (const WallSample* w : {&all.akinci2012, &all.adami2012})
@@ -147,6 +149,61 @@ TEST(TurnedBoxes, HaveTheirParticlesBehindTheirSurfaceIn3D) {
       }
     EXPECT_GT(found, 1000);
   }
+}
+
+// A thin wall has its particles in its middle, with smaller volumes.
+TEST(TurnedBoxes, HaveTheVolumesOfTheBoxBeforeItsRotation) {
+  const std::string box = "min = [0.5, 0.8]\nmax = [1.5, 0.85]\n";
+  std::vector<Real> volumes[2];
+  for (const bool turns : {false, true}) {
+    const WallSample all = sample(with_wall(box + (turns ? "rotation = 25\n" : ""))).akinci2012;
+    for (std::size_t k = 0; k < all.wall.size(); ++k)
+      if (all.wall[k] == 4) volumes[turns].push_back(all.volume_factor[k]);
+    std::sort(volumes[turns].begin(), volumes[turns].end());
+  }
+  ASSERT_EQ(volumes[0].size(), volumes[1].size());
+  EXPECT_LT(volumes[0][0], 0.95f);
+  for (std::size_t k = 0; k < volumes[0].size(); ++k)
+    EXPECT_NEAR(volumes[0][k], volumes[1][k], 1e-5);
+}
+
+TEST(Polygons, OfAThinWallHaveTheVolumesOfABox) {
+  const auto least = [](const std::string& wall) {
+    const std::vector<Real> volumes = sample(with_wall(wall)).akinci2012.volume_factor;
+    return *std::min_element(volumes.begin(), volumes.end());
+  };
+  EXPECT_NEAR(least("min = [0.5, 0.8]\nmax = [1.5, 0.85]\n"),
+              least("shape = \"polygon\"\n"
+                    "points = [[0.5, 0.8], [1.5, 0.8], [1.5, 0.85], [0.5, 0.85]]\n"),
+              1e-3);
+}
+
+// Positions are relative to the origin of the domain.
+TEST(Shapes, AreSampledAlikeFarFromTheOrigin) {
+  const auto sample_at = [](double x, double y) {
+    const auto at = [&](double a, double b) {
+      return "[" + std::to_string(x + a) + ", " + std::to_string(y + b) + "]";
+    };
+    return sample(parse_scene(
+        wcsph +
+            "particles.spacing = 0.0625\ntime = { end = 0.01, step = 1e-4 }\ndomain = { min = " +
+            at(0, 0) + ", max = " + at(2, 2) + " }\n[[fluid]]\nshape = \"polygon\"\npoints = [" +
+            at(0.25, 0.25) + ", " + at(1, 0.25) + ", " + at(0.5, 1) +
+            "]\n[[fluid]]\nrotation = 30\nmin = " + at(1.25, 1.25) + "\nmax = " + at(1.5, 1.75) +
+            "\n[[wall]]\nshape = \"polygon\"\npoints = [" + at(1.25, 0.25) + ", " + at(1.75, 0.25) +
+            ", " + at(1.5, 1) + "]\n[[wall]]\nrotation = 40\nmin = " + at(0.25, 1.25) +
+            "\nmax = " + at(0.75, 1.625) + "\n",
+        "test.toml"));
+  };
+  const Sample near = sample_at(0, 0), far = sample_at(4096, -8192);
+  const auto compare = [](const std::vector<Real>& a, const std::vector<Real>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    ASSERT_FALSE(a.empty());
+    for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-6);
+  };
+  compare(near.x, far.x);
+  compare(near.akinci2012.x, far.akinci2012.x);
+  EXPECT_EQ(near.akinci2012.wall, far.akinci2012.wall);
 }
 
 }  // namespace

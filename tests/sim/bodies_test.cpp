@@ -289,6 +289,22 @@ TEST_P(Bodies, ResumeFromACheckpointToTheSameBits) {
   expect_same_bits_after_restart(with(crowd(true), "1"), 9, 9);
 }
 
+// One box flies at another across the seam, and a third lies on the floor: the checkpoint falls
+// between contacts.
+TEST_P(Bodies, ResumeAmidContactsToTheSameBits) {
+  expect_same_bits_after_restart(
+      with("[domain]\nmax = [1, 1]\nperiodic = \"x\"\n[particles]\nspacing = 0.05\n"
+           "[fluid]\nmin = [0.3, 0]\nmax = [0.6, 0.2]\n"
+           "[[body]]\nmin = [0.78, 0.5]\nmax = [0.94, 0.65]\nmotion = \"free\"\ndensity = 600\n"
+           "velocity = [10, 0]\n"
+           "[[body]]\nmin = [0.01, 0.52]\nmax = [0.16, 0.67]\nmotion = \"free\"\n"
+           "density = 400\n"
+           "[[body]]\nmin = [0.7, 0.0]\nmax = [0.85, 0.15]\nmotion = \"free\"\n"
+           "density = 2000\nangular_velocity = 1\n",
+           "1"),
+      9, 9);
+}
+
 // Couette flow between a wall and a moving plate: v = V y/H.
 TEST(MovedBodies, DragTheFluidAlong) {
   if (!has_solver(SolverName::dfsph)) GTEST_SKIP() << "not compiled in this build";

@@ -24,6 +24,15 @@ TEST(Formula, IsEvaluatedForEachRow) {
   EXPECT_EQ((std::vector<double>{1, 0}), evaluate("x == 1 || x >= 3", "x", {1, 2}, "case.toml"));
 }
 
+TEST(Formula, ReadsColumnsWithLettersOfAnyAlphabet) {
+  if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
+  Table table;
+  table.rows = 2;
+  table.columns = {{"force on 水 x", "N/m", {1, 2}, {}}, {"force on 火 x", "N/m", {4, 8}, {}}};
+  EXPECT_EQ((std::vector<double>{3, 6}),
+            evaluate("force_on_火_x - force_on_水_x", table, "case.toml"));
+}
+
 TEST(Formula, HasOneValueAndNoAssignment) {
   if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
   EXPECT_EQ(

@@ -246,6 +246,19 @@ TEST(ValidationReport, ListsMissedBounds) {
   EXPECT_NE(std::string::npos, validation_json({bad}).find("\"as_expected\": false"));
 }
 
+TEST(ValidationReport, AValueWithoutABoundIsNotGreen) {
+  ValidationRun run;
+  run.case_name = "case";
+  run.results.emplace_back();
+  run.results[0].name = "m";
+  run.results[0].passed = true;
+  ValidationCase c;
+  c.name = "case";
+  const std::string html = validation_html({c}, {run});
+  EXPECT_EQ(std::string::npos, html.find("class=\"good\"")) << html;
+  EXPECT_NE(std::string::npos, html.find("no bounds"));
+}
+
 /// A wave with a known velocity, measured after one step, with three spacings.
 class AProgramme : public ::testing::Test {
  protected:

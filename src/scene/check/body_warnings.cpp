@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "scene/check/findings.h"
 #include "scene/model/body_motion.h"
@@ -42,19 +41,35 @@ struct Length {
   const char* key;
   double value;
 };
-/// The thickness of a body, and the key that sets it. For a mesh, the thickness of its box.
-Length thickness(const Scene::Body& b) {
-  if (b.shape == Shape::sphere) return {"radius", 2 * b.radius};
-  if (b.shape == Shape::cylinder && b.length < 2 * b.radius) return {"length", b.length};
-  if (b.shape == Shape::cylinder) return {"radius", 2 * b.radius};
-  if (b.shape == Shape::polygon || b.shape == Shape::mesh) {
-    const auto sides = sides_of(*b.loaded);
+/// The thickness of a wall or body, and the key that sets it. For a polygon or a closed mesh, the
+/// thickness of its box; an open mesh is a sheet.
+Length thickness(const Scene::Region& r, double spacing) {
+  if (r.shape == Shape::mesh && !r.loaded->condition.closed()) return {"file", spacing};
+  if (r.side == Side::inside) return {"", INFINITY};
+  if (r.shape == Shape::sphere) return {"radius", 2 * r.radius};
+  if (r.shape == Shape::cylinder && r.length < 2 * r.radius) return {"length", r.length};
+  if (r.shape == Shape::cylinder) return {"radius", 2 * r.radius};
+  if (r.shape == Shape::polygon || r.shape == Shape::mesh) {
+    const auto sides = sides_of(*r.loaded);
     const double least = std::min(sides.x, sides.y);
-    return {"scale", b.shape == Shape::polygon ? least : std::min(least, sides.z)};
+    return {"scale", r.shape == Shape::polygon ? least : std::min(least, sides.z)};
   }
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t d = 0; d < b.min.size(); ++d) least = std::min(least, b.max[d] - b.min[d]);
+  double least = INFINITY;
+  for (std::size_t d = 0; d < r.min.size(); ++d) least = std::min(least, r.max[d] - r.min[d]);
   return {"max", least};
+}
+
+/// A warning if fluid particles on both sides of a wall or body are closer than the support radius.
+void warn_of_thin(const Scene& s, const Derived& d, const Scene::Region& r, std::string key,
+                  const std::string& name, std::vector<Diagnostic>& list) {
+  const Length thick = thickness(r, d.spacing);
+  const double needed = d.support_radius - d.spacing;
+  if (!(thick.value < needed * (1 - 1e-6))) return;
+  list.push_back({Diagnostic::Severity::warning, place_of(s, key + thick.key),
+                  fmt::format("{} is {:.4g} m thick. Where both sides are wet, fluid particles on "
+                              "its two sides interact across it unless it is {:.4g} m thick; make "
+                              "it thicker, or the spacing or the support radius smaller",
+                              name, thick.value, needed)});
 }
 
 /// Centres of mass and moments of inertia that need mass outside the shape.
@@ -81,6 +96,20 @@ void warn_of_mass(const Scene::Body& b, const std::string& at, const std::string
 
 }  // namespace
 
+std::vector<Diagnostic> thin_wall_warnings(const Scene& s, const Derived& d) {
+  std::vector<Diagnostic> list;
+  if (!has_fluid(s)) return list;
+  const std::vector<std::string> names = s.wall_names();
+  const std::size_t sides = names.size() - s.wall.size();
+  for (std::size_t k = 0; k < s.wall.size(); ++k)
+    if (wall_layers(s, s.wall_method(k)) > 0 && s.wall[k].shape != Shape::points)
+      warn_of_thin(s, d, s.wall[k], fmt::format("wall[{}].", k), names[sides + k], list);
+  if (body_method(s) != WallMethod::adami2012)
+    for (std::size_t k = 0; k < s.body.size(); ++k)
+      warn_of_thin(s, d, s.body[k], fmt::format("body[{}].", k), s.body_name(k), list);
+  return list;
+}
+
 std::vector<Diagnostic> body_warnings(const Scene& s, const Derived& d) {
   std::vector<Diagnostic> list;
   const auto warn = [&](const std::string& key, std::string message) {
@@ -93,8 +122,8 @@ std::vector<Diagnostic> body_warnings(const Scene& s, const Derived& d) {
     const std::string at = fmt::format("body[{}].", k), name = s.body_name(k);
     free |= b.motion == BodyMotion::free;
     const double reached = wall_layers(s, WallMethod::adami2012) * d.spacing;
-    const Length thick = thickness(b);
-    if (layered && has_fluid(s) && b.side == Side::outside && thick.value < reached * (1 - 1e-6))
+    const Length thick = thickness(b, d.spacing);
+    if (layered && has_fluid(s) && thick.value < reached * (1 - 1e-6))
       warn(at + thick.key,
            fmt::format(
                "{} is {:.4g} m thick, and \"adami2012\" needs {:.4g} m for layers of body "

@@ -15,10 +15,11 @@ std::string place_of(const Scene& scene, std::string key) {
   return it == scene.places.end() ? "" : it->second;
 }
 
-std::vector<Diagnostic> contradictions(const Scene& given,
-                                       const std::set<std::string, std::less<>>& unread) {
-  const Scene scene = with_defaults(given);
-  Findings findings(scene);
+namespace {
+
+/// `places`: also checks that the particles have room, which samples them.
+void check_all(const Scene& scene, const std::set<std::string, std::less<>>& unread, bool places,
+               Findings& findings) {
   const auto read = [&](auto... sections) { return (!unread.contains(sections) && ...); };
   if (read("domain")) check_domain(scene, findings);
   if (read("domain") && findings.list.empty()) check_sizes(scene, findings);
@@ -30,7 +31,7 @@ std::vector<Diagnostic> contradictions(const Scene& given,
   if (read("time")) check_time(scene, findings);
   if (read("time", "output")) check_output(scene, findings);
   if (read("solver", "particles", "fluid")) check_method(scene, findings);
-  if (!sizes) return std::move(findings.list);
+  if (!sizes) return;
 
   sampled = read("particles") && check_resolution(scene, findings) && sampled;
   if (read("probe")) check_probes(scene, findings);
@@ -47,15 +48,32 @@ std::vector<Diagnostic> contradictions(const Scene& given,
                       check_bodies(scene, findings);
   const bool flows = sampled && read("particles", "inlet", "outlet", "counter", "time") &&
                      check_flows(scene, walls, findings);
+  if (!places) return;
   const FluidCount fluids =
       read("particles", "fluid") ? check_fluids(scene, findings) : FluidCount{};
-  if (!sampled || !check_count(scene, fluids.places, {walls, bodies, flows}, findings))
-    return std::move(findings.list);
+  if (!sampled || !check_count(scene, fluids.places, {walls, bodies, flows}, findings)) return;
   const bool placed = bodies && (scene.body.empty() || check_body_places(scene, walls, findings));
   if ((walls || scene.wall.empty()) && (placed || scene.body.empty()) &&
       (flows || scene.inlet.empty()))
     check_room(scene, fluids, findings);
+}
+
+}  // namespace
+
+std::vector<Diagnostic> contradictions(const Scene& given,
+                                       const std::set<std::string, std::less<>>& unread) {
+  const Scene scene = with_defaults(given);
+  Findings findings(scene);
+  check_all(scene, unread, true, findings);
   return std::move(findings.list);
+}
+
+std::vector<UnusedKey> unused_keys(const Scene& given,
+                                   const std::set<std::string, std::less<>>& unread) {
+  const Scene scene = with_defaults(given);
+  Findings findings(scene);
+  check_all(scene, unread, false, findings);
+  return std::move(findings.unused_keys);
 }
 
 void check_scene(const Scene& scene) {

@@ -229,7 +229,7 @@ template <int D> std::vector<std::vector<Vec<D, double>>> samples_of(const Scene
 template <int D> bool check_places(const Scene& s, bool walls_are_good, Findings& out) {
   const auto samples = samples_of<D>(s);
   std::vector<RegionSurface<D>> bodies;
-  for (const Scene::Body& b : s.body) bodies.emplace_back(b);
+  for (const Scene::Body& b : s.body) bodies.emplace_back(b, s.particles.spacing);
   bool good = true;
   const auto complain = [&](std::size_t k, const std::string& what) {
     out.error(at_body(k).substr(0, at_body(k).size() - 1), what);
@@ -268,7 +268,7 @@ template <int D> bool check_places(const Scene& s, bool walls_are_good, Findings
                               "inside; move it or make it smaller",
                               name));
     for (std::size_t w = 0; free && walls_are_good && w < s.wall.size(); ++w)
-      if (s.wall[w].shape != Shape::points && meets(samples[k], RegionSurface<D>(s.wall[w]))) {
+      if (s.wall[w].shape != Shape::points && meets(samples[k], RegionSurface<D>(s.wall[w], s.particles.spacing))) {
         complain(k,
                  fmt::format("{} overlaps {}; move one of them", name, s.wall_names()[2 * D + w]));
         break;

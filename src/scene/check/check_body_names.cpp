@@ -3,6 +3,7 @@
 #include <set>
 
 #include "scene/check/findings.h"
+#include "scene/check/names.h"
 #include "scene/model/body_shape.h"
 #include "scene/model/solid_of.h"
 
@@ -12,13 +13,10 @@ void check_body_names(const Scene& s, Findings& out) {
   std::set<std::string> taken;
   for (std::size_t k = 0; k < s.body.size(); ++k) {
     const std::string name = s.body_name(k), key = fmt::format("body[{}].name", k);
-    const bool plain = std::none_of(name.begin(), name.end(), [](unsigned char c) {
-      return c < ' ' || c == 0x7F || c == ',' || c == '"';
-    });
-    if (!plain)
+    if (!names_column(name))
       out.error(key,
-                "body.name has a comma, a quote or a control character, which tables do not allow; "
-                "use letters, digits and _");
+                "body.name has a comma, a quote or an invisible character, which tables do not "
+                "allow; use letters, digits and _");
     else if (!taken.insert(name).second)
       out.error(key, fmt::format("body.name is \"{}\", which another body has; choose another name",
                                  name));

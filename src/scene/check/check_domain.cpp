@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 #include "freshet/real.h"
-#include "kernels/cubic_spline.h"
 #include "kernels/poly6.h"
+#include "kernels/scene_kernel.h"
 #include "kernels/spiky.h"
-#include "kernels/wendland.h"
 #include "scene/check/findings.h"
 #include "scene/keys/keys.h"
 #include "scene/model/setup.h"
@@ -16,21 +15,35 @@ namespace freshet {
 namespace {
 
 constexpr double widest_support = 10;
+constexpr double most_distance = 5e8;  // [m]; the cpu backend pads its lists with places at 1e9 m
 
-template <int D> bool kernels_are_normal(const Scene& s, Real support) {
-  const auto good = [](double c) { return std::isnormal(Real(c)); };
-  if (s.method().has_own_kernels()) return good(Poly6<D>(support).c) && good(Spiky<D>(support).c);
-  switch (s.solver.kernel) {
-    case KernelName::cubic_spline:
-      return good(CubicSpline<D>(support).c);
-    case KernelName::wendland_c2:
-      return good(WendlandC2<D>(support)(Pair<D, Real>({})));
-    case KernelName::wendland_c4:
-      return good(WendlandC4<D>(support)(Pair<D, Real>({})));
-    case KernelName::wendland_c6:
-      return good(WendlandC6<D>(support)(Pair<D, Real>({})));
+/// W(0) and the gradient at a quarter of the support radius, both over their size [1].
+template <int D, class Density, class Gradient>
+std::array<double, 2> scaled(const Density& density, const Gradient& gradient, double support) {
+  Vec<D> aside{};
+  aside.x = Real(support / 4);
+  const double volume = std::pow(support, D);
+  return {double(density(Pair<D, Real>({}))) * volume,
+          double(gradient.gradient(Pair<D, Real>(aside)).x) * volume * support};
+}
+template <int D> std::array<double, 2> scaled_kernels(const Scene& s, double support) {
+  const auto h = Real(support);
+  if (s.method().has_own_kernels()) return scaled<D>(Poly6<D>(h), Spiky<D>(h), support);
+  const SceneKernel<D> W(h, s.solver.kernel);
+  return scaled<D>(W, W, support);
+}
+
+/// Whether kernels of this support are those of a support of 1 m: no number in them overflows or
+/// underflows. Numbers lose bits before they underflow, which four times the support shows.
+template <int D> bool kernels_are_normal(const Scene& s, double support) {
+  const auto right = scaled_kernels<D>(s, 1);
+  bool good = true;
+  for (const double h : {support, 4 * support}) {
+    const auto here = scaled_kernels<D>(s, h);
+    for (std::size_t k = 0; k < 2; ++k)
+      good = good && std::abs(here[k] - right[k]) < 1e-3 * std::abs(right[k]);
   }
-  return true;
+  return good;
 }
 
 }  // namespace
@@ -162,28 +175,34 @@ bool check_particles(const Scene& s, Findings& out) {
     out.error("particles.jitter",
               fmt::format("particles.jitter is {}; at most half the spacing, {:.6g}, is allowed",
                           p.jitter, p.spacing / 2));
-  const bool normal = s.dimension() == 3 ? kernels_are_normal<3>(s, Real(support))
-                                         : kernels_are_normal<2>(s, Real(support));
+  const bool normal =
+      s.dimension() == 3 ? kernels_are_normal<3>(s, support) : kernels_are_normal<2>(s, support);
   if (!normal)
     out.error(
         p.support_radius ? "particles.support_radius" : "particles.spacing",
-        fmt::format("a support radius of {:.4g} m is out of range: {}-bit numbers cannot hold "
-                    "the kernels' constants; scale the scene {}",
-                    support, 8 * sizeof(Real), support < 1 ? "up" : "down"));
+        fmt::format("a spacing of {:.4g} m with a support radius of {:.4g} m is out of range for "
+                    "{} in {}D: {}-bit numbers cannot hold its kernels; make both {} and scale the "
+                    "scene with them{}{}",
+                    p.spacing, support, s.method().name, s.dimension(), 8 * sizeof(Real),
+                    support < 1 ? "larger" : "smaller",
+                    s.method().has_own_kernels() ? ", choose another solver" : "", or_in_double));
   return neighbors && few && normal;
 }
 
-/// Positions are absolute, so that their resolution decreases with the distance from the origin.
+/// The resolution of positions decreases with the distance from origin_of() the scene.
 bool check_resolution(const Scene& s, Findings& out) {
-  double far = 0;
-  for (const Vector* corner : {&s.domain.min, &s.domain.max})
-    for (const double x : *corner) far = std::max(far, std::abs(x));
-  const double coarse = far * double(std::numeric_limits<Real>::epsilon());
+  const double far = farthest_position(s), coarse = rounding_of_positions(s);
+  if (far > most_distance) {
+    out.error("domain.max", fmt::format("the domain extends {:.3g} m; at most {:g} m are allowed; "
+                                        "make it smaller",
+                                        far, most_distance));
+    return false;
+  }
   if (s.particles.spacing >= 100 * coarse) return true;
   out.error("particles.spacing",
-            fmt::format("particles.spacing is {}, too fine for a domain that reaches {:.3g} m from "
-                        "the origin, where {}-bit numbers are {:.2g} m apart; make it larger, or "
-                        "move the domain to the origin",
+            fmt::format("particles.spacing is {}, too fine for a domain that extends {:.3g} m, "
+                        "where {}-bit numbers are {:.2g} m apart; make it larger, or the domain "
+                        "smaller",
                         s.particles.spacing, far, 8 * sizeof(Real), coarse));
   return false;
 }

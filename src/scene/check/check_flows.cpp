@@ -4,9 +4,10 @@
 #include <cmath>
 #include <set>
 
+#include "freshet/suggest.h"
 #include "scene/check/findings.h"
+#include "scene/check/names.h"
 #include "scene/keys/keys.h"
-#include "scene/keys/suggest.h"
 #include "scene/model/background.h"
 #include "scene/model/openings.h"
 #include "scene/model/setup.h"
@@ -251,7 +252,7 @@ void check_neighbors(const Scene& s, std::size_t k, const std::vector<std::size_
   const auto any = [&](const auto& bad) { return std::any_of(places.begin(), places.end(), bad); };
   for (std::size_t w = 0; walls_are_good && w < s.wall.size(); ++w) {
     if (s.wall[w].shape == Shape::points) continue;
-    const RegionSurface<D> wall(s.wall[w]);
+    const RegionSurface<D> wall(s.wall[w], plan.spacing);
     if (any([&](auto x) { return wall.distance(x) < 0.49 * plan.spacing; }))
       out.error(key, fmt::format("the inlet, with the {1} layers behind its opening, is in {0} or "
                                  "closer to it than half a spacing; move it, make it smaller, or "
@@ -280,23 +281,21 @@ void check_neighbors(const Scene& s, std::size_t k, const std::vector<std::size_
 /// Names are headers of table columns: plain and unique.
 void check_flow_names(const Scene& s, Findings& out) {
   const auto names = s.flow_names();
-  std::set<std::string> taken;
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const bool in = k < s.inlet.size(), to = !in && k < s.inlet.size() + s.outlet.size();
-    const char* kind = in ? "inlet" : to ? "outlet" : "counter";
-    const std::size_t first = in ? 0 : to ? s.inlet.size() : s.inlet.size() + s.outlet.size();
+  const std::size_t outlets = s.inlet.size(), counters = outlets + s.outlet.size(),
+                    sides = counters + s.counter.size();
+  std::set<std::string> taken(names.begin() + std::ptrdiff_t(sides), names.end());
+  for (std::size_t k = 0; k < sides; ++k) {
+    const char* kind = s.flow_kind(k);
+    const std::size_t first = k < outlets ? 0 : k < counters ? outlets : counters;
     const std::string key = fmt::format("{}[{}].name", kind, k - first);
-    const bool plain = std::none_of(names[k].begin(), names[k].end(), [](unsigned char c) {
-      return c < ' ' || c == 0x7F || c == ',' || c == '"';
-    });
-    if (!plain)
+    if (!names_column(names[k]))
       out.error(key,
-                fmt::format("{}.name has a comma, a quote or a control character, which tables "
+                fmt::format("{}.name has a comma, a quote or an invisible character, which tables "
                             "do not allow; use letters, digits and _",
                             kind));
     else if (!taken.insert(names[k]).second)
-      out.error(key, fmt::format("{}.name is \"{}\", which another inlet, outlet or counter has; "
-                                 "choose another name",
+      out.error(key, fmt::format("{}.name is \"{}\", which another inlet, outlet, counter or "
+                                 "open side has; choose another name",
                                  kind, names[k]));
   }
 }

@@ -51,9 +51,10 @@ void check_keys_of_forces(const Scene& s, Findings& out) {
 void check_has_none(const Scene& s, Findings& out) {
   const auto none = [&](bool asked, const char* key) {
     if (asked)
-      out.error(key, fmt::format("{} is for the other solvers, and solver.name is \"{}\"; remove "
-                                 "it, or choose another solver",
-                                 key, s.method().name));
+      out.unsupported(key,
+                      fmt::format("{} is for the other solvers, and solver.name is \"{}\"; remove "
+                                  "it, or choose another solver",
+                                  key, s.method().name));
   };
   none(s.solver.viscosity_method.has_value(), "solver.viscosity_method");
   none(s.solver.surface_tension_method != SurfaceTensionMethod::none,
@@ -66,7 +67,7 @@ void check_has_none(const Scene& s, Findings& out) {
 void check_viscosity(const Scene& s, Findings& out) {
   const ViscosityMethod method = s.viscosity_method();
   if (s.method().incompressible() && method == ViscosityMethod::artificial)
-    out.error(
+    out.unsupported(
         "solver.viscosity_method",
         fmt::format("solver.viscosity_method = \"artificial\" is for wcsph and delta_sph, and "
                     "solver.name is \"{}\"; choose \"monaghan2005\", \"morris1997\" or "

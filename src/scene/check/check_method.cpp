@@ -87,10 +87,6 @@ void check_every(const Scene& s, const char* name, std::optional<std::int64_t> s
   const std::string key = fmt::format("output.{}", name), key_steps = key + "_steps";
   if (steps && seconds)
     out.error(key, fmt::format("{} and {} are both set; keep one", key, key_steps));
-  else if (steps && s.time.adaptive)
-    out.error(key_steps, fmt::format("{} counts steps, and their number is unknown while time.step "
-                                     "is \"adaptive\"; set {} in seconds",
-                                     key_steps, key));
   const double step = s.time.adaptive ? s.time.step_max.value_or(0) : s.time.step;
   if (seconds && *seconds < step)
     out.error(key, fmt::format("{} is {} s, shorter than a time step, {} s; make it longer", key,

@@ -31,15 +31,22 @@ void check_dimension(const Scene& s, Findings& out) {
   if (s.dimension() == 3) {
     for (const char* key : {"picture.dots", "picture.dot_radius"})
       out.unused(key, key, "in 3D particles are drawn as balls of their size; remove it");
+    out.unused("picture.stretch", "picture.stretch",
+               "in 3D the camera has equal scales; remove it");
     out.unused("picture.scale_bar", "picture.scale_bar",
                "in 3D lengths depend on the distance from the camera; remove it");
     out.unused("picture.window", "picture.window",
                "in 3D the camera sets the visible region; remove it, or set [camera]");
-  } else if (s.picture.color_by == ColorBy::velocity_z) {
+    return;
+  }
+  if (s.picture.color_by == ColorBy::velocity_z)
     out.error("picture.color_by",
               "picture.color_by is \"velocity_z\", and the scene is in 2D; choose \"velocity_x\" "
               "or \"velocity_y\"");
-  }
+  if (s.picture.stretch && !(s.picture.width && s.picture.height))
+    out.unused("picture.stretch", "picture.stretch",
+               "the picture follows the domain unless its width and height are set; set both, or "
+               "remove it");
 }
 
 /// Key frames need a position and ascending times; a single camera has no time.
@@ -110,6 +117,9 @@ void check_picture(const Scene& s, Findings& out) {
   if (is_size("picture.color_range", p.color_range, 2) && !(p.color_range[1] > p.color_range[0]))
     out.error("picture.color_range",
               "picture.color_range is empty; set the minimum, then a greater maximum");
+  if (!p.color_range.empty())
+    out.unused("picture.color_scale", "picture.color_scale",
+               "picture.color_range is set; remove one of them");
   check_background(s, out);
   check_dimension(s, out);
 }

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "scene/check/findings.h"
+#include "scene/check/names.h"
 #include "scene/keys/keys.h"
 #include "scene/model/probe_plane.h"
 #include "scene/model/setup.h"
@@ -13,13 +14,6 @@ namespace {
 
 constexpr std::size_t most_probes = 1000;
 constexpr std::int64_t most_places = 100000;
-
-bool is_file_name(const std::string& name) {
-  return name.find_first_not_of(
-             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.") ==
-             std::string::npos &&
-         name[0] != '.';
-}
 
 /// The keys that the kind reads must be set, and no others.
 void check_vectors(const Scene& s, const Scene::Probe& p, const std::string& at, Findings& out) {
@@ -137,10 +131,10 @@ void check_probes(const Scene& s, Findings& out) {
     if (p.count > most_places)
       out.error(at + "count", fmt::format("probe.count is {}; at most {} points are allowed",
                                           p.count, most_places));
-    if (!p.name.empty() && !is_file_name(p.name))
+    if (!p.name.empty() && !names_file(p.name))
       out.error(at + "name",
                 fmt::format("probe.name is \"{}\", which cannot name a file; use letters, "
-                            "digits, _, - and .",
+                            "digits, _, - and ., in at most 200 bytes",
                             p.name));
     else if (!p.name.empty() && !names.insert(p.name).second)
       out.error(at + "name", fmt::format("two probes are named \"{}\"; rename one", p.name));

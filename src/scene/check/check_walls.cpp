@@ -3,6 +3,7 @@
 #include <set>
 
 #include "scene/check/findings.h"
+#include "scene/check/names.h"
 #include "scene/keys/keys.h"
 #include "scene/model/setup.h"
 #include "scene/model/solid_of.h"
@@ -28,14 +29,15 @@ bool check_solver(const Scene& s, WallMethod m, const std::string& key, const st
   const SolverMethod& solver = s.method();
   const bool unknown = is_sampled(m) && !solver.has_boundary_particles();
   if (unknown)
-    out.error(key, fmt::format("{} is \"{}\", and {} supports \"open\", \"reflection\" and "
-                               "\"ghost\" only; choose one, or another solver.name",
-                               name, word_of(m), solver.name));
+    out.unsupported(key, fmt::format("{} is \"{}\", and {} supports \"open\", \"reflection\" and "
+                                     "\"ghost\" only; choose one, or another solver.name",
+                                     name, word_of(m), solver.name));
   const bool extrapolates = solver.incompressible() && m == WallMethod::adami2012;
   if (extrapolates)
-    out.error(key, fmt::format("{} is \"adami2012\", which needs an equation of state, and {} has "
-                               "none; choose \"akinci2012\"{}",
-                               name, solver.name, flat ? " or \"ghost\"" : ""));
+    out.unsupported(key,
+                    fmt::format("{} is \"adami2012\", which needs an equation of state, and {} has "
+                                "none; choose \"akinci2012\"{}",
+                                name, solver.name, flat ? " or \"ghost\"" : ""));
   return !extrapolates && !unknown;
 }
 
@@ -139,13 +141,10 @@ void check_names(const Scene& s, Findings& out) {
   for (std::size_t k = 0; k < s.wall.size(); ++k) {
     const std::string& name = names[sides + k];
     const std::string key = fmt::format("wall[{}].name", k);
-    const bool plain = std::none_of(name.begin(), name.end(), [](unsigned char c) {
-      return c < ' ' || c == 0x7F || c == ',' || c == '"';
-    });
-    if (!plain)
+    if (!names_column(name))
       out.error(key,
-                "wall.name has a comma, a quote or a control character, which tables do "
-                "not allow; use letters, digits and _");
+                "wall.name has a comma, a quote or an invisible character, which tables do not "
+                "allow; use letters, digits and _");
     else if (!taken.insert(name).second)
       out.error(key, fmt::format("wall.name is \"{}\", which another wall or a side of the domain "
                                  "has; choose another name",

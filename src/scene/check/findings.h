@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "freshet/real.h"
 #include "mesh/triangle_mesh.h"
 #include "scene/check/check.h"
 #include "scene/sample/point_cloud.h"
@@ -21,18 +22,27 @@ class Findings {
   void error(const std::string& key, std::string message) {
     list.push_back({Diagnostic::Severity::error, place_of(scene_, key), std::move(message)});
   }
+  /// Reports a key whose value the solver does not support.
+  void unsupported(const std::string& key, std::string message) {
+    error(key, std::move(message));
+    if (given(key)) unused_keys.push_back({key, list.back()});
+  }
   bool given(const std::string& key) const { return scene_.places.contains(key); }
   /// Reports a key that is set although nothing reads it.
   void unused(const std::string& key, const std::string& name, const std::string& remedy) {
-    if (given(key)) error(key, fmt::format("{} is not used; {}", name, remedy));
+    if (given(key)) unsupported(key, fmt::format("{} is not used; {}", name, remedy));
   }
   std::vector<Diagnostic> list;
+  std::vector<UnusedKey> unused_keys;  // their errors are in the list as well
 
  private:
   const Scene& scene_;
 };
 
 inline constexpr const char* axis_names = "xyz";
+/// A remedy for numbers of too few bits.
+inline constexpr const char* or_in_double =
+    sizeof(Real) == sizeof(float) ? ", or build with FRESHET_DOUBLE" : "";
 
 /// A fluid, a wall, an outlet or a body, and its name in messages.
 struct RegionAt {

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <limits>
 
 #include "freshet/derived.h"
 #include "scene/check/body_warnings.h"
@@ -23,12 +24,14 @@ class Warnings {
     room();
     periodic();
     step();
+    rounding();
     inlets();
     surface();
     for (std::size_t k = 0; k < s_.fluid.size(); ++k) mesh("fluid", k, s_.fluid[k]);
     for (std::size_t k = 0; k < s_.wall.size(); ++k) mesh("wall", k, s_.wall[k]);
     for (std::size_t k = 0; k < s_.body.size(); ++k) mesh("body", k, s_.body[k]);
     for (Diagnostic& d : body_warnings(s_, d_)) list_.push_back(std::move(d));
+    for (Diagnostic& d : thin_wall_warnings(s_, d_)) list_.push_back(std::move(d));
     for (Diagnostic& d : point_warnings(s_)) list_.push_back(std::move(d));
     for (Diagnostic& d : probe_warnings(s_)) list_.push_back(std::move(d));
     return std::move(list_);
@@ -159,6 +162,43 @@ class Warnings {
            fmt::format("the time step {:.4g} s is over its bound, {:.4g} s ({}); the run may "
                        "blow up",
                        s_.time.step, d_.step_bound(), d_.step_bound_name()));
+  }
+
+  /// The speed of the flow [m/s]: of its start, its inlets or a fall that viscosity may slow.
+  double speed() const {
+    double height = 0, gravity2 = 0, fastest = 0;
+    const Vector& g = s_.domain.gravity;
+    for (std::size_t k = 0; k < g.size(); ++k) {
+      gravity2 += g[k] * g[k];
+      if (g[k] != 0) height = std::max(height, s_.domain.max[k] - s_.domain.min[k]);
+    }
+    const double gravity = std::sqrt(gravity2), nu = d_.viscosity / d_.rest_density;
+    fastest = std::min(std::sqrt(2 * gravity * height), gravity * height * height / nu);
+    for (const Scene::Fluid& f : s_.fluid)
+      for (const double v : f.velocity) fastest = std::max(fastest, std::abs(v));
+    for (const DerivedInlet& in : d_.inlets) fastest = std::max(fastest, in.speed);
+    return fastest;
+  }
+  /// Warns if a hundredth of the flow's speed moves no particle, because a step is less than the
+  /// rounding of a position.
+  void rounding() {
+    if (!has_fluid(s_)) return;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double dt = s_.time.adaptive
+                          ? std::min(s_.time.step_max.value_or(infinity), d_.step_bound())
+                          : s_.time.step;
+    const double v = speed(), rounding = rounding_of_positions(s_) / 2;
+    if ((v > 0 ? v / 100 * dt : 1e-4 * d_.spacing) >= rounding) return;
+    const std::string slow =
+        v > 0 ? fmt::format(
+                    "a hundredth of the flow's speed of {:.3g} m/s moves a particle by "
+                    "{:.2g} m a step",
+                    v, v / 100 * dt)
+              : fmt::format("1e-4 spacings are {:.2g} m", 1e-4 * d_.spacing);
+    warn("domain.max", fmt::format("{}, less than the rounding of positions in this domain, "
+                                   "{:.2g} m: slow flow will stop; make the domain smaller, the "
+                                   "spacing larger{}",
+                                   slow, rounding, or_in_double));
   }
 
   const Scene s_;

@@ -41,8 +41,9 @@ void region_keys(KeyVisitor& v, Scene::Region& r, Words shapes, const KeyDoc& sh
 void file_keys(KeyVisitor& v, Scene::Region& r) {
   v.text("file", r.file,
          {.unit = "",
-          .text = "file of points or of the corners of a polygon (`*.ply`, `*.vtp`, `*.csv`), or "
-                  "of a mesh (`*.stl`, `*.obj`, `*.ply`), relative to the scene",
+          .text = "file of points or of the corners of a polygon (`*.csv`, `*.ply`, `*.vtk`, "
+                  "`*.vtp`, `*.vtu`, `*.xyz`, `*.bgeo`, `*.bhclassic`), or of a mesh (`*.stl`, "
+                  "`*.obj`, `*.ply`), relative to the scene",
           .fallback = "none"});
   v.vectors("points", r.points,
             {.unit = "m",
@@ -230,10 +231,10 @@ The functions of a scene (`body_force`, `fluid.velocity_field`, `body.position`,
 Places in walls, bodies and the zones of inlets, or closer to them than half a spacing,
 are excluded. The points of a file are excluded only inside of them.
 
-A `*.ply` of points has vertices with x, y, z and optionally vx, vy, vz. A `*.vtp` has
-points and optionally an array `velocity`. The first line of a `*.csv` names the columns
-x, y, z, vx, vy, vz. docs/data_files.md lists other names. `check` warns of columns that
-are not used.)",
+The positions of a file, and its velocities if it has them, become particles. The first
+line of a `*.csv` names the columns x, y, z, vx, vy, vz. Files of other programs have
+an array such as `velocity`, `Vel` or `U`. docs/data_files.md lists formats and names.
+`check` warns of columns and arrays that are not used.)",
            s.fluid, [&](Scene::Fluid& f) { fluid_keys(v, f); });
   v.tables("wall", R"(An obstacle or a tank: `[wall]` for one, `[[wall]]` for several.
 
@@ -297,7 +298,7 @@ the choices.
   v.section("air", "The air around the liquid.", [&] { air_keys(v, s.air); });
   v.section("walls", R"(The sides of the domain, and the methods of walls.
 
-- `open`: the fluid leaves.
+- `open`: the fluid leaves, and is removed and counted (docs/flows.md).
 - `reflection`: particles are reflected.
 - `ghost`: mirror images of the fluid.
 - `monaghan2009`: boundary particles that repel, after Monaghan & Kajtar 2009.

@@ -51,6 +51,7 @@ inline constexpr const char* probe_words[] = {"point", "line", "plane", "surface
 inline constexpr const char* color_by_words[] = {
     "speed",         "velocity_x", "velocity_y", "velocity_z", "density",
     "density_error", "pressure",   "height",     "id",         "liquid"};
+inline constexpr const char* color_scale_words[] = {"run", "picture"};
 inline constexpr const char* color_map_words[] = {"article", "water", "viridis", "inferno",
                                                   "coolwarm"};
 inline constexpr const char* motion_words[] = {"fixed", "moved", "free"};

@@ -51,18 +51,33 @@ void camera_keys(KeyVisitor& v, Scene::Camera& c) {
 void picture_keys(KeyVisitor& v, Scene& s) {
   auto& p = s.picture;
   v.section("picture", "How a frame is drawn.", [&] {
-    v.integer("width", p.width, {.unit = "px", .text = "width", .min = 32, .max = 8192});
-    v.integer("height", p.height, {.unit = "px", .text = "height", .min = 32, .max = 8192});
+    v.integer("width", p.width,
+              {.unit = "px",
+               .text = "width",
+               .min = 32,
+               .max = 8192,
+               .fallback = "follows the height and the domain; the longer side of the domain is "
+                           "800 if neither is set"});
+    v.integer("height", p.height,
+              {.unit = "px",
+               .text = "height",
+               .min = 32,
+               .max = 8192,
+               .fallback = "follows the width and the domain"});
+    v.boolean("stretch", p.stretch,
+              {.unit = "",
+               .text = "in 2D: the domain fills `width` and `height`, each axis with a scale of its "
+                       "own; otherwise it is centred with equal scales"});
     v.choice("dots", p.dots, dots_words,
              {.unit = "",
-              .text = "in 2D: `glow`, soft dots whose light adds up, as in the article; `solid`, "
-                      "discs in the exact colours"});
+              .text = "in 2D: `solid`, discs in the exact colours; `glow`, soft dots whose light "
+                      "adds up, as in the article"});
     v.integer("dot_radius", p.dot_radius,
               {.unit = "px",
                .text = "radius of a particle's dot (2D)",
                .min = 1,
                .max = 200,
-               .fallback = "5; slightly more than half a spacing if `solid`"});
+               .fallback = "slightly more than half a spacing; 5 if `glow`"});
     v.numbers("window", p.window, 4,
               {.unit = "m",
                .text = "visible region in 2D: x_min, y_min, x_max, y_max",
@@ -74,17 +89,22 @@ void picture_keys(KeyVisitor& v, Scene& s) {
     v.choice("color_map", p.color_map, color_map_words,
              {.unit = "",
               .text = "colours from the minimum to the maximum",
-              .fallback = "`article` in 2D, `water` in 3D"});
+              .fallback = "`water` for `speed`, `coolwarm` for signed quantities, else `viridis`"});
     v.numbers(
         "color_range", p.color_range, 2,
         {.unit = "as color_by",
          .text = "minimum and maximum; values beyond have the colours of the ends",
-         .fallback = "range of each picture's particles; `speed` from 0 to at least 0.1 m/s"});
+         .fallback = "by `color_scale`"});
+    v.choice("color_scale", p.color_scale, color_scale_words,
+             {.unit = "",
+              .text = "range without `color_range`: `run`, what 98 % of the particles have had up "
+                      "to the picture (percentiles.csv); `picture`, the minimum and maximum of each "
+                      "picture, as in the article"});
     v.text("background", p.background,
            {.unit = "", .text = "`night`, `black`, `grey`, `white` or `#rrggbb`"});
     v.boolean("time_stamp", p.time_stamp, {.unit = "", .text = "shows the time in a corner"});
     v.boolean("scale_bar", p.scale_bar, {.unit = "", .text = "shows a bar and its length (2D)"});
-    v.boolean("color_bar", p.color_bar, {.unit = "", .text = "shows the colours and their values"});
+    v.boolean("color_bar", p.color_bar, {.unit = "", .text = "shows the colours and their values, right of the domain"});
   });
   v.tables("camera",
            "The camera of pictures in 3D: `[camera]` for one that stands still or orbits, "
@@ -104,8 +124,8 @@ void output_keys(KeyVisitor& v, Scene& s) {
                .fallback = "a tenth of the run"});
     v.number("frame_every", s.output.frame_every,
              {.unit = "s",
-              .text = "interval of frames instead, in simulated seconds: a frame after the first "
-                      "step at or after each such time",
+              .text = "interval of frames instead, in simulated seconds: frames show exactly these "
+                      "times, 0 and the end too, interpolated between two steps",
               .min = 0,
               .above = true,
               .fallback = "a tenth of the run"});
@@ -122,6 +142,12 @@ void output_keys(KeyVisitor& v, Scene& s) {
               .min = 0,
               .above = true,
               .fallback = "a hundredth of the run"});
+    v.boolean(
+        "statistics", s.output.statistics,
+        {.unit = "",
+         .text = "adds columns to the tables of observables and probes: minimum, maximum, "
+                 "mean and integral (of a force: the impulse) over all steps since the last "
+                 "row, of forces on walls and bodies and of probes. Measures after every step"});
     data_keys(v, s.output);
     v.integer("checkpoint_every_steps", s.output.checkpoint_every_steps,
               {.unit = "steps",

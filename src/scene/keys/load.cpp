@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <sstream>
 
 #include "core/input_file.h"
@@ -81,7 +82,12 @@ void throw_errors(std::vector<Diagnostic> errors, const SceneReader& reader,
 std::string merged_source(const toml::table& table, const std::vector<Override>& overrides) {
   std::ostringstream merged;
   merged << "# as run; set on the command line:\n";
-  for (const auto& [key, value] : overrides) merged << "#   " << key << "\n";
+  for (const auto& [key, value] : overrides) {
+    std::string line = key;  // a quoted key of TOML may hold a line end
+    std::replace_if(
+        line.begin(), line.end(), [](unsigned char c) { return c < ' '; }, '?');
+    merged << "#   " << line << (value ? "" : " (removed)") << "\n";
+  }
   merged << table << "\n";
   return merged.str();
 }
@@ -98,6 +104,27 @@ void find_files(Scene& scene, const std::string& name) {
     find(b);
     if (!b.path.empty()) b.path = (folder / b.path).lexically_normal().string();
   }
+}
+
+/// The scene of a table, with its defaults. The reader keeps the errors.
+Scene read_scene(SceneReader& reader, const std::string& name) {
+  Scene scene;
+  visit_keys(reader, scene);
+  reader.finish();
+  find_files(scene, name);
+  scene = with_defaults(std::move(scene));
+  scene.places = reader.places();
+  return scene;
+}
+
+/// The keys of a scene that its solver does not use.
+std::vector<UnusedKey> unused_keys_in(const std::string& text, const std::string& name,
+                                      const std::vector<Override>& overrides) {
+  toml::table table = parse_toml(text, name);
+  const auto overridden = apply_overrides(table, overrides);
+  SceneReader reader(table, name, overridden);
+  const Scene scene = read_scene(reader, name);
+  return unused_keys(scene, reader.unread());
 }
 
 }  // namespace
@@ -121,14 +148,8 @@ Scene parse_scene(const std::string& text, const std::string& name,
                   const std::vector<Override>& overrides) {
   toml::table table = parse_toml(text, name);
   const auto overridden = apply_overrides(table, overrides);
-
-  Scene scene;
   SceneReader reader(table, name, overridden);
-  visit_keys(reader, scene);
-  reader.finish();
-  find_files(scene, name);
-  scene = with_defaults(std::move(scene));
-  scene.places = reader.places();
+  Scene scene = read_scene(reader, name);
   std::vector<Diagnostic> errors = reader.diagnostics();
   const auto more = contradictions(scene, reader.unread());
   errors.insert(errors.end(), more.begin(), more.end());
@@ -139,6 +160,27 @@ Scene parse_scene(const std::string& text, const std::string& name,
 
 Scene load_scene(const std::filesystem::path& file, const std::vector<Override>& overrides) {
   return parse_scene(read_input(file, scene_file), file.string(), overrides);
+}
+
+SceneChange change_solver(const std::filesystem::path& file, const std::string& solver,
+                          const std::vector<Override>& overrides) {
+  const std::string text = read_input(file, scene_file), name = file.string();
+  std::set<std::string> kept;
+  for (const UnusedKey& k : unused_keys_in(text, name, overrides)) kept.insert(k.key);
+  SceneChange change{overrides, {}};
+  change.overrides.emplace_back("solver.name", fmt::format("\"{}\"", solver));
+  for (bool more = true; more;) {  // other keys may depend on those that are dropped
+    more = false;
+    for (UnusedKey& k : unused_keys_in(text, name, change.overrides)) {
+      if (k.why.place.starts_with("override ") || !kept.insert(k.key).second) continue;
+      change.overrides.emplace_back(k.key, std::nullopt);
+      k.why.severity = Diagnostic::Severity::warning;
+      k.why.message = "dropped: " + k.why.message.substr(0, k.why.message.rfind("; "));
+      change.dropped.push_back(std::move(k.why));
+      more = true;
+    }
+  }
+  return change;
 }
 
 }  // namespace freshet

@@ -2,12 +2,16 @@
 #include "scene/keys/overrides.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
+#include <set>
 #include <sstream>
 
+#include "freshet/suggest.h"
 #include "scene/keys/nesting.h"
+#include "scene/keys/override_place.h"
 
 namespace freshet {
 namespace {
@@ -90,25 +94,58 @@ std::vector<std::string> split_key(const std::string& key) {
   return names;
 }
 
+void set_key(toml::table& root, const std::string& key, const std::string& value,
+             std::map<std::string, std::string>& where) {
+  toml::table* table = &root;
+  std::string path;
+  const std::vector<std::string> names = split_key(key);
+  for (std::size_t k = 0; k + 1 < names.size(); ++k) table = &enter(*table, key, names[k], path);
+  const auto [name, count] = split_count(key, names.back());
+  if (count >= 0) fail(key, "names a whole table; name one of its keys");
+  toml::table parsed = parse_value(key, value);
+  // "1\nother = 2" is valid TOML, but more than one value
+  put(*table, name,
+      parsed.size() == 1 ? *parsed.get("value")
+                         : static_cast<const toml::node&>(toml::value{value}));
+  where[path + name] = "override " + key;
+}
+
+/// The message about a key that is not in its table.
+std::string missing_key(const toml::table& table, const std::string& name) {
+  std::set<std::string, std::less<>> known;
+  for (const auto& [other, value] : table) known.insert(std::string(other.str()));
+  if (known.empty()) return "the scene does not set it, so it cannot be removed";
+  const std::string guess = nearest(name, known);
+  return "the scene does not set it, so it cannot be removed; " +
+         (guess.empty() ? fmt::format("set here: {}", fmt::join(known, ", "))
+                        : fmt::format("did you mean {}?", guess));
+}
+
+void remove_key(toml::table& root, const std::string& key) {
+  toml::table* table = &root;
+  std::string path;
+  const std::vector<std::string> names = split_key(key);
+  for (std::size_t k = 0; k + 1 < names.size(); ++k) {
+    const std::string name = split_count(key, names[k]).first;
+    if (!table->contains(name)) fail(key, missing_key(*table, name));
+    table = &enter(*table, key, names[k], path);
+  }
+  const auto [name, count] = split_count(key, names.back());
+  if (count >= 0) fail(key, "names one table of several; name one of its keys, or all of them");
+  if (table->erase(name) == 0) fail(key, missing_key(*table, name));
+}
+
 }  // namespace
 
 std::map<std::string, std::string> apply_overrides(toml::table& root,
                                                    const std::vector<Override>& overrides) {
   std::map<std::string, std::string> where;
-  for (const auto& [key, value] : overrides) {
-    toml::table* table = &root;
-    std::string path;
-    const std::vector<std::string> names = split_key(key);
-    for (std::size_t k = 0; k + 1 < names.size(); ++k) table = &enter(*table, key, names[k], path);
-    const auto [name, count] = split_count(key, names.back());
-    if (count >= 0) fail(key, "names a whole table; name one of its keys");
-    toml::table parsed = parse_value(key, value);
-    // "1\nother = 2" is valid TOML, but more than one value
-    put(*table, name,
-        parsed.size() == 1 ? *parsed.get("value")
-                           : static_cast<const toml::node&>(toml::value{value}));
-    where[path + name] = "override " + key;
-  }
+  for (const Override& change : overrides) try {
+      if (change.second) set_key(root, change.first, *change.second, where);
+      else remove_key(root, change.first);
+    } catch (const Error& error) {
+      throw Error(Error::Kind::scene, place_of(change), error.diagnostics().front().message);
+    }
   return where;
 }
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/keys/suggest.h"
+#include "freshet/suggest.h"
 #include "scene/keys/value_words.h"
 
 namespace freshet {

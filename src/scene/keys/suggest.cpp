@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/keys/suggest.h"
+#include "freshet/suggest.h"
 
 #include <algorithm>
 #include <vector>

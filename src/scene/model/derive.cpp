@@ -11,6 +11,7 @@
 #include "scene/check/check.h"
 #include "scene/model/data_bytes.h"
 #include "scene/model/openings.h"
+#include "scene/model/picture_layout.h"
 #include "scene/model/schedule.h"
 #include "scene/model/setup.h"
 
@@ -54,13 +55,16 @@ template <int D, class F> void with_kernels(const Scene& s, Real support, F f) {
   }
 }
 
-template <int D> double layer_distance(const Scene& s) {
+/// Calls f(single layer) with the layer of the scene's kernel.
+template <class F> void with_layer(const Scene& s, F f) {
   const double support = support_radius(s), spacing = s.particles.spacing;
-  double distance = 0;
-  with_kernels<D>(s, Real(support), [&](const auto& density, const auto&) {
-    distance = spacing * single_layer_distance<D>(density, spacing, support);
-  });
-  return distance;
+  const auto layer = [&]<int D>() {
+    with_kernels<D>(s, Real(support), [&]<class Kernel>(const Kernel& density, const auto&) {
+      f(SingleLayer<D, Kernel>(density, spacing, support));
+    });
+  };
+  if (s.dimension() == 2) layer.template operator()<2>();
+  else layer.template operator()<3>();
 }
 
 template <int D> void derive_lattice(const Scene& s, Derived& d) {
@@ -155,7 +159,16 @@ void derive_flow(const Scene& s, double fastest, Derived& d) {
 }  // namespace
 
 double single_layer_distance(const Scene& s) {
-  return s.dimension() == 2 ? layer_distance<2>(s) : layer_distance<3>(s);
+  double distance = 0;
+  with_layer(s, [&](const auto& layer) { distance = s.particles.spacing * layer.distance(); });
+  return distance;
+}
+
+double single_layer_volume(const Scene& s, double distance) {
+  double factor = 0;
+  with_layer(
+      s, [&](const auto& layer) { factor = layer.volume_factor(distance / s.particles.spacing); });
+  return factor;
 }
 
 double support_radius(const Scene& s) {
@@ -193,6 +206,9 @@ Derived derive(const Scene& scene) {
   d.wall_particles += std::int64_t(start.bodies.body.size());
   const Schedule schedule(s);
   d.frames = schedule.frames();
+  const PictureLayout picture = picture_layout(s);
+  d.picture_width = picture.width;
+  d.picture_height = picture.height;
   d.data_frames = schedule.data_frames();
   d.data_bytes = double(d.data_frames) * data_bytes(s, d.most_particles);
   d.spacing = s.particles.spacing;

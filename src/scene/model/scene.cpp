@@ -76,9 +76,18 @@ WallMethod body_method(const Scene& s) {
   return s.walls.method == WallMethod::adami2012 ? WallMethod::adami2012 : WallMethod::akinci2012;
 }
 
+bool Scene::has_flows() const {
+  bool leaves = !outlet.empty();
+  for (int side = 0; side < 2 * dimension(); ++side) leaves |= is_open(side);
+  return leaves || !inlet.empty();
+}
+
+namespace {
+constexpr const char* side_names[] = {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
+}
+
 std::vector<std::string> Scene::wall_names() const {
-  static constexpr const char* sides[] = {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
-  std::vector<std::string> names(sides, sides + 2 * dimension());
+  std::vector<std::string> names(side_names, side_names + 2 * dimension());
   for (std::size_t k = 0; k < wall.size(); ++k)
     names.push_back(wall[k].name.empty() ? fmt::format("wall[{}]", k) : wall[k].name);
   return names;
@@ -92,7 +101,16 @@ std::vector<std::string> Scene::flow_names() const {
   for (std::size_t k = 0; k < inlet.size(); ++k) add(inlet[k].name, "inlet", k);
   for (std::size_t k = 0; k < outlet.size(); ++k) add(outlet[k].name, "outlet", k);
   for (std::size_t k = 0; k < counter.size(); ++k) add(counter[k].name, "counter", k);
+  for (int side = 0; side < 2 * dimension(); ++side)
+    if (is_open(side)) names.push_back(side_names[side]);
   return names;
+}
+
+const char* Scene::flow_kind(std::size_t k) const {
+  if (k < inlet.size()) return "inlet";
+  k -= inlet.size();
+  if (k < outlet.size()) return "outlet";
+  return k - outlet.size() < counter.size() ? "counter" : "open side";
 }
 
 namespace {

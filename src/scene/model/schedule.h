@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "freshet/scene.h"
 
@@ -15,8 +16,9 @@ struct StepTaken {
   bool last;  ///< the last step of the run
 };
 
-/// When something is written: after step 0, after the last step, and at an interval of steps or
-/// seconds in between. With seconds it is written after the first step at or after each such time.
+/// When something is written: at the start, at the end, and at an interval of steps or seconds in
+/// between. Rows of tables are written after a step: with seconds, after the first step at or after
+/// each such time. Frames show the fluid at exactly these times, also within a step.
 class Every {
  public:
   Every(std::optional<std::int64_t> steps, std::optional<double> seconds) {
@@ -31,28 +33,36 @@ class Every {
   bool due_within(const StepTaken& s) const {
     return steps_ > 0 ? (s.step + 1) % steps_ == 0 : times_by(s.after) > times_by(s.before);
   }
-  /// The number of times in a run of this many steps. Adaptive steps have step = 0; the result is
-  /// then the maximum.
-  std::int64_t times(std::int64_t steps, double end, double step) const {
+  /// The times of the frames of a step: after `before`, or from 0 in step 0, up to `after`. The end
+  /// of a run is not in it, unless the interval makes it due.
+  std::vector<double> frames_in(const StepTaken& s) const {
+    if (steps_ > 0)
+      return s.step % steps_ == 0 ? std::vector<double>{s.after} : std::vector<double>{};
+    std::vector<double> times;
+    if (s.step == 0) times.push_back(0);
+    for (double k = times_by(s.before) + 1, last = times_by(s.after); k <= last; ++k)
+      times.push_back(k * seconds_ > s.after - close * seconds_ ? s.after : k * seconds_);
+    return times;
+  }
+  /// Whether a frame may show a moment after `from` and before `to`, or at `from` = 0.
+  bool frames_between(double from, double to) const {
+    return steps_ == 0 && (from == 0 || times_by(to) > times_by(from));
+  }
+  /// The number of frames of a run that ends at `end` after this many steps, which do not matter if
+  /// the interval is in seconds.
+  std::int64_t frames(std::int64_t steps, double end) const {
     const std::int64_t last = steps - 1;
     if (steps_ > 0) return last / steps_ + 1 + (last % steps_ != 0);
-    if (step == 0) return whole(times_by(end)) + 1 + (times_by(end) * seconds_ < end * (1 - 1e-9));
-    const std::int64_t due = whole(times_by(double(steps) * step));
-    if (due == 0) return last == 0 ? 1 : 2;
-    return due + (step_of(1, step) > 0) + (step_of(due, step) < last);
+    const double due = times_by(end);
+    return whole(due) + 1 + (end - due * seconds_ > close * seconds_);
   }
 
  private:
   /// The number of times k·seconds, k > 0, up to t, with a tolerance for rounding.
-  double times_by(double t) const { return std::floor(t / seconds_ + 1e-9); }
+  double times_by(double t) const { return std::floor(t / seconds_ + close); }
   static std::int64_t whole(double count) { return std::int64_t(std::min(count, 9e15)); }
-  /// The number of the step, each `step` seconds long, after which the k-th time is due.
-  std::int64_t step_of(std::int64_t k, double step) const {
-    std::int64_t n = std::llround(double(k) * seconds_ / step);
-    while (n > 1 && times_by(double(n - 1) * step) >= double(k)) --n;
-    while (times_by(double(n) * step) < double(k)) ++n;
-    return n - 1;
-  }
+
+  static constexpr double close = 1e-9;  // intervals: rounding of times
 
   std::int64_t steps_ = 0;
   double seconds_ = 0;
@@ -70,11 +80,12 @@ class Schedule {
             s.output.checkpoint_every_steps || s.output.checkpoint_every
                 ? std::optional<Every>({s.output.checkpoint_every_steps, s.output.checkpoint_every})
                 : std::nullopt),
-        frames_(times(s, frame_)),
-        data_frames_(s.output.data.empty() ? 0 : times(s, data_)) {}
+        frames_(frames(s, frame_)),
+        data_frames_(s.output.data.empty() ? 0 : frames(s, data_)) {}
 
-  bool frame_after(const StepTaken& s) const { return frame_.due(s); }
-  bool data_after(const StepTaken& s) const { return data_frames_ > 0 && data_.due(s); }
+  /// The frames and the data files.
+  const Every& frame() const { return frame_; }
+  const Every& data() const { return data_; }
   /// Whether the k-th probe measures.
   bool probe_after(std::size_t k, const StepTaken& s) const { return probes_[k].due(s); }
   bool observe_after(const StepTaken& s) const { return observe_.due(s); }
@@ -83,9 +94,9 @@ class Schedule {
     return checkpoint_ && checkpoint_->due_within(s);
   }
   bool checkpoints_by_clock() const { return !checkpoint_; }
-  /// The number of frames of a run; the maximum for adaptive steps.
+  /// The number of frames of a run. Of adaptive steps counted, the minimum.
   std::int64_t frames() const { return frames_; }
-  /// The number of data files of each format; the maximum for adaptive steps.
+  /// The number of data files of each format; likewise.
   std::int64_t data_frames() const { return data_frames_; }
 
  private:
@@ -108,8 +119,8 @@ class Schedule {
                   : every(s, s.output.observables_every_steps, s.output.observables_every, 100));
     return all;
   }
-  static std::int64_t times(const Scene& s, const Every& e) {
-    return e.times(s.steps(), s.time.end, s.time.adaptive ? 0 : s.time.step);
+  static std::int64_t frames(const Scene& s, const Every& e) {
+    return e.frames(s.steps(), s.time.adaptive ? s.time.end : double(s.steps()) * s.time.step);
   }
 
   Every frame_, observe_, data_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "core/inlet_plan.h"
 #include "core/sample.h"
 #include "freshet/derived.h"
 
@@ -38,8 +39,22 @@ double artificial_viscosity(const Scene& scene);
 /// belongs to the fluid.
 double single_layer_distance(const Scene& scene);
 
+/// The volumes of boundary particles of akinci2012 over 1/sum_l W_kl, at a distance [m] from the
+/// outermost particles of a resting fluid that gives these their rest density. It is below 1 where
+/// the layer is closer than single_layer_distance().
+double single_layer_volume(const Scene& scene, double distance);
+
 /// The method of body particles: adami2012 if walls.method is adami2012, else akinci2012.
 WallMethod body_method(const Scene& scene);
+
+/// The point from which an engine measures positions [m]. It is 0 along an axis where the domain is
+/// no farther from 0 than its largest extent: there it would gain one bit at most. Elsewhere it is
+/// the domain's lower end, so that a scene flows alike at any distance from 0.
+Triple origin_of(const Scene& scene);
+/// The largest coordinate in the domain, measured from origin_of() [m].
+double farthest_position(const Scene& scene);
+/// The distance between neighbouring numbers there [m].
+double rounding_of_positions(const Scene& scene);
 
 /// The particles at the start.
 Sample sample(const Scene& scene);

@@ -11,9 +11,10 @@ namespace {
 
 using Point = Vec<3, double>;
 
-constexpr double apart = 0.7;            // spacings: sparser layers let impinging particles through
-constexpr double apart_in_layers = 0.8;  // spacings: as many points as a lattice has
-constexpr int rounds = 40;               // with about one throw per disc
+constexpr double apart = 0.7;  // spacings: sparser layers let impinging particles through
+constexpr double apart_in_thin_walls = 0.5;  // these are closer to the water: see MeshWalls tests
+constexpr double apart_in_layers = 0.8;      // spacings: as many points as a lattice has
+constexpr int rounds = 40;                   // with about one throw per disc
 constexpr double clear = 0.95;  // fraction of the depth: minimum distance to all of the surface
 
 /// SplitMix64 [Steele, Lea and Flood 2014]: the same random numbers on every platform.
@@ -39,14 +40,19 @@ class Throws {
   std::uint64_t state_ = 0;
 };
 
+enum class MeshPlaces { all, thick, thin };  // of a mesh
+
 class Spreader {
  public:
   /// No two points are closer than `radius`, in one layer or in two.
   Spreader(const MeshDistance& mesh, double radius)
       : mesh_(mesh), radius_(radius), taken_(radius_) {}
 
-  void spread(double depth) {
+  /// Points `depth` behind the surface. Where the mesh is too thin for this depth, or the depth is
+  /// 0, they are in its middle. Only at these `places`.
+  void spread(double depth, MeshPlaces places = MeshPlaces::all) {
     set_depth(depth);
+    places_ = places;
     for (int round = 0; round < rounds; ++round)
       for (std::size_t k = 0; k < mesh_.mesh().triangles.size(); ++k) throw_on(int(k));
   }
@@ -73,6 +79,7 @@ class Spreader {
       }
     }
   }
+  bool has_thin_places() const { return has_thin_; }
   std::vector<Point> points() { return std::move(all_); }
 
  private:
@@ -118,12 +125,16 @@ class Spreader {
   }
   void add(Point on, Point inwards) {
     Point x = on + depth_ * inwards;
+    bool thin = depth_ == 0;
     if (depth_ > 0 && mesh_.nearest(x).distance < clear * depth_) {
       const auto room = mesh_.first_hit(on, inwards, 1e-9 * depth_);
       if (!room || *room >= 2 * depth_) return;  // in front of a corner
       x = on + *room / 2 * inwards;
       if (mesh_.nearest(x).distance < clear * *room / 2) return;
+      thin = true;
     }
+    has_thin_ |= thin;
+    if (places_ == (thin ? MeshPlaces::thick : MeshPlaces::thin)) return;
     if (taken_.comes_near(x)) return;
     taken_.add(x);
     all_.push_back(x);
@@ -131,6 +142,8 @@ class Spreader {
 
   const MeshDistance& mesh_;
   double radius_, depth_ = 0, side_ = 1;
+  MeshPlaces places_ = MeshPlaces::all;
+  bool has_thin_ = false;
   Throws throws_;
   PointGrid<3> taken_;
   std::vector<Point> all_;
@@ -139,9 +152,21 @@ class Spreader {
 }  // namespace
 
 std::vector<Point> points_behind(const MeshDistance& mesh, double spacing, double depth) {
-  Spreader spreader(mesh, apart * spacing);
-  spreader.spread(depth);
-  return spreader.points();
+  std::vector<Point> points;
+  bool thin = depth == 0;
+  if (!thin) {
+    Spreader spreader(mesh, apart * spacing);
+    spreader.spread(depth, MeshPlaces::thick);
+    thin = spreader.has_thin_places();
+    points = spreader.points();
+  }
+  if (thin) {
+    Spreader spreader(mesh, apart_in_thin_walls * spacing);
+    spreader.spread(depth, MeshPlaces::thin);
+    const auto more = spreader.points();
+    points.insert(points.end(), more.begin(), more.end());
+  }
+  return points;
 }
 
 std::vector<Vec<2, double>> points_behind(const Outline& outline, const MeshDistance& prism,

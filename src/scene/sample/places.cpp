@@ -61,10 +61,12 @@ Box box_around(const Scene& s, const Scene::Fluid& f) {
   return box;
 }
 
-template <int D> std::vector<Vec<D>> vectors(const std::vector<double>& numbers) {
+/// The vectors of these numbers, relative to an origin.
+template <int D>
+std::vector<Vec<D>> vectors(const std::vector<double>& numbers, const Triple& origin = {}) {
   std::vector<Vec<D>> all(numbers.size() / D);
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    component(all[i / D], int(i % D)) = Real(numbers[i]);
+    component(all[i / D], int(i % D)) = Real(numbers[i] - origin[i % D]);
   return all;
 }
 
@@ -103,27 +105,31 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
       low_(D, -INFINITY),
       high_(D, INFINITY),
       wall_points_(0.499 * spacing_) {
-  if (!is_block(f) && f.shape != Shape::points) shape_.emplace(f);
+  if (!is_block(f) && f.shape != Shape::points) shape_.emplace(f, spacing_);
+  const Triple origin = origin_of(s);
+  for (int k = 0; k < D; ++k) component(origin_, k) = origin[std::size_t(k)];
+  for (std::size_t k = 0; k < lattice_.from.size(); ++k) lattice_.from[k] -= origin[k];
   shifts_ = periodic_shifts<D>(s);
   const bool of_file = f.shape == Shape::points, as_given = f.shape == Shape::lattice || of_file;
   margin_ = of_file ? 0 : 0.49 * spacing_;
   for (int side = 0; side < 2 * D; ++side) {  // the sides that places keep a distance from
     const auto k = std::size_t(side / 2);
-    if (as_given || f.outside == Outside::clamp || s.periodic(side / 2) ||
-        s.side_method(side) == WallMethod::open)
+    if (as_given || f.outside == Outside::clamp || s.periodic(side / 2) || s.is_open(side))
       continue;
     if (side % 2) high_[k] = s.domain.max[k];
     else low_[k] = s.domain.min[k];
   }
+  const double sheet = of_file ? 0 : spacing_;
   for (const Scene::Wall& w : s.wall)
-    if (w.shape != Shape::points) walls_.emplace_back(w);
+    if (w.shape != Shape::points) walls_.emplace_back(w, sheet);
     else if (!of_file)
-      for (const Vec<D>& x : vectors<D>(read_points(w.file, D).x)) wall_points_.add(to_double(x));
+      for (const Vec<D>& x : vectors<D>(read_points(w.file, D).x, origin))
+        wall_points_.add(to_double(x));
   for (const Scene::Inlet& in : s.inlet) zones_.emplace_back(s, in);
-  for (const Scene::Body& b : s.body) walls_.emplace_back(b);
+  for (const Scene::Body& b : s.body) walls_.emplace_back(b, sheet);
   if (f.shape != Shape::points) return;
   const PointCloud cloud = read_points(f.file, D);
-  points_ = vectors<D>(cloud.x);
+  points_ = vectors<D>(cloud.x, origin);
   velocities_ = vectors<D>(cloud.v);
 }
 
@@ -131,15 +137,16 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
 /// check_resolution).
 /// The points of a file are where they should be: only those inside a wall are in it.
 template <int D> bool Places<D>::in_wall(Vec<D> x) const {
+  Vec<D, double> place = in_scene(x);
   for (std::size_t k = 0; k < D; ++k)
-    if (const double at = component(x, int(k));
+    if (const double at = component(place, int(k));
         at - low_[k] < 0.49 * spacing_ || high_[k] - at < 0.49 * spacing_)
       return true;
   for (const auto& zone : zones_)
-    if (zone.holds(to_double(x), margin_)) return true;
+    if (zone.holds(place, margin_)) return true;
   for (const auto& wall : walls_)
     for (const auto& shift : shifts_)
-      if (wall.distance(to_double(x) + shift) < margin_) return true;
+      if (wall.distance(place + shift) < margin_) return true;
   return !wall_points_.empty() && wall_points_.comes_near(to_double(x));
 }
 

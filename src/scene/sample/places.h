@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-/// The places of the particles of one fluid, before jitter and pressure move them.
+/// The places of the particles of one fluid, before jitter and pressure move them. They are
+/// relative to origin_of() the scene.
 #pragma once
 #include <array>
 #include <optional>
 
 #include "scene/model/openings.h"
+#include "scene/model/setup.h"
 #include "scene/sample/point_grid.h"
 #include "scene/sample/region_surface.h"
-#include "scene/model/setup.h"
 
 namespace freshet {
 
@@ -62,6 +63,8 @@ template <int D> class Places {
   bool comes_near(Vec<D> x) const;
   /// The velocities of the points of a file; empty without them.
   const std::vector<Vec<D>>& velocities() const { return velocities_; }
+  /// The position in the scene of a place [m].
+  Vec<D, double> in_scene(Vec<D> x) const { return origin_ + to_double(x); }
 
  private:
   Vec<D> place(const std::array<std::int64_t, 3>& n) const {
@@ -72,12 +75,13 @@ template <int D> class Places {
     return x;
   }
   bool in_shape(Vec<D> x) const {
-    return !shape_ || shape_->distance(to_double(x)) > 1e-6 * spacing_;
+    return !shape_ || shape_->distance(in_scene(x)) > 1e-6 * spacing_;
   }
   bool in_wall(Vec<D> x) const;
 
   double spacing_;
-  Lattice lattice_;
+  Vec<D, double> origin_{};
+  Lattice lattice_;  // from: relative to the origin
   std::vector<Vec<D>> points_, velocities_;
   std::optional<RegionSurface<D>> shape_;  // empty: every place is inside
   std::vector<RegionSurface<D>> walls_;

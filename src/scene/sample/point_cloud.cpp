@@ -6,14 +6,11 @@
 #include "core/input_file.h"
 #include "core/table_text.h"
 #include "formats/column_names.h"
-#include "formats/point_sink.h"
+#include "formats/point_formats.h"
 #include "freshet/error.h"
 
 namespace freshet {
 namespace {
-
-constexpr InputFile point_file{.noun = "point file",
-                               .remedy = "name a *.ply, *.vtp or *.csv file"};
 
 /// Collects positions and velocities, and rejects invalid ones.
 class PointColumns final : public PointSink {
@@ -47,7 +44,7 @@ void PointColumns::name(const std::string& column, std::size_t place) {
   if (!known) return;
   const auto k = std::size_t(known->component);
   if (place_[k] >= 0 && certain_[k] == known->certain)
-    fail(fmt::format("{} is named twice; name every column once", column));
+    fail(fmt::format("{} is named twice; name every column once", shown(column)));
   if (place_[k] >= 0 && certain_[k]) return;
   place_[k] = std::ptrdiff_t(place);
   certain_[k] = known->certain;
@@ -100,17 +97,19 @@ void PointColumns::add(const std::vector<double>& values) {
 
 PointCloud points_in(std::string_view bytes, const std::filesystem::path& file, int dimension) {
   PointColumns columns(file.string(), dimension);
-  const std::string extension = plain_name(file.extension().string());
-  if (extension == ".ply") read_ply(bytes, columns);
-  else if (extension == ".vtp") read_vtp(bytes, columns);
-  else if (extension == ".csv") read_csv(bytes, columns);
-  else columns.fail("not *.ply, *.vtp or *.csv; convert it to one");
+  const PointFormat* format = point_format_of(file);
+  if (!format)
+    columns.fail(fmt::format("not a known format of points ({}); {}", point_extensions(),
+                             other_format_remedy(file)));
+  format->read(bytes, columns);
   columns.line = 0;
-  if (columns.cloud.x.empty()) columns.fail("the file has no points; is it the right file?");
+  if (columns.cloud.x.empty()) columns.fail("the file has no points; name another file");
   return std::move(columns.cloud);
 }
 
 PointCloud read_points(const std::filesystem::path& file, int dimension) {
+  const std::string remedy = "name a " + point_extensions() + " file";
+  const InputFile point_file{.noun = "point file", .remedy = remedy.c_str()};
   return points_in(read_input(file, point_file), file, dimension);
 }
 

@@ -14,10 +14,9 @@ struct PointCloud {
   std::vector<std::string> unused;  ///< names of the columns that are not read
 };
 
-/// Reads the vertices of a PLY file (x, y, z and optionally vx, vy, vz), the points of a VTP file
-/// (optionally with an array of velocities), or the lines of a CSV file whose first line names the
-/// columns. Other columns are skipped. In a 2D scene z must be 0. Throws Error (kind scene) at
-/// FILE, or at FILE:LINE.
+/// Reads the points of a file (formats/point_formats.h lists the formats): positions, and
+/// velocities if the file has them. Other columns are skipped. In a 2D scene z must be 0. Throws
+/// Error (kind scene) at FILE, or at FILE:LINE.
 PointCloud read_points(const std::filesystem::path& file, int dimension);
 
 /// Reads points from the bytes of a file. The extension of `file` selects the format; messages name

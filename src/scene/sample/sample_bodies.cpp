@@ -2,25 +2,27 @@
 #include "scene/sample/sample_bodies.h"
 
 #include "scene/model/loaded_mesh.h"
+#include "scene/sample/akinci_layer.h"
 #include "scene/sample/region_layers.h"
+#include "scene/sample/region_surface.h"
 #include "scene/sample/sample_walls.h"
 
 namespace freshet {
 namespace {
 
-/// One layer, as in a wall of akinci2012: half a spacing behind the surface, and deeper by the
-/// setback that gives a resting fluid its rest density.
+/// One layer, as in a wall of akinci2012.
 template <int D> std::vector<Vec<D, double>> layer_of(const Scene& s, const Scene::Region& body) {
-  const double spacing = s.particles.spacing, deeper = single_layer_distance(s) - spacing;
+  const AkinciLayer layer(s);
   if constexpr (D == 3)
     if (body.shape == Shape::mesh)
-      return points_behind(body.loaded->distance, spacing,
-                           (spacing / 2 + deeper) * (body.side == Side::inside ? -1 : 1));
+      return points_behind(body.loaded->distance, s.particles.spacing,
+                           body.side == Side::inside ? -layer.depth() : layer.depth());
   if constexpr (D == 2)
-    if (body.shape == Shape::polygon) return layers_of_polygon(body, spacing, 1, deeper);
+    if (body.shape == Shape::polygon)
+      return layers_of_polygon(body, s.particles.spacing, 1, layer.setback());
   const auto solid = solid_of<D>(body);
-  auto points = Surface<D>(solid, spacing, 1).points({}, {}, {});
-  for (auto& x : points) x += -deeper * solid.normal(x);
+  auto points = Surface<D>(solid, s.particles.spacing, 1).points({}, {}, {});
+  for (auto& x : points) layer.settle(solid, x);
   turn_with<D>(body, points);
   return points;
 }
@@ -45,11 +47,15 @@ template <int D> std::vector<Vec<D, double>> layers_of(const Scene& s, const Sce
 template <int D> void sample_bodies(const Scene& s, Sample& all) {
   if (s.body.empty()) return;
   const bool layered = body_method(s) == WallMethod::adami2012;
-  for (std::size_t b = 0; b < s.body.size(); ++b)
+  const AkinciLayer layer(s);
+  for (std::size_t b = 0; b < s.body.size(); ++b) {
+    const RegionSurface<D> surface(s.body[b], s.particles.spacing);
     for (Vec<D, double> x : layered ? layers_of<D>(s, s.body[b]) : layer_of<D>(s, s.body[b])) {
       for (int k = 0; k < D; ++k) all.bodies.x.push_back(component(x, k));
       all.bodies.body.push_back(std::int32_t(b));
+      if (!layered) all.bodies.volume_factor.push_back(layer.volume_factor(-surface.distance(x)));
     }
+  }
 }
 
 template void sample_bodies<2>(const Scene&, Sample&);

@@ -48,13 +48,15 @@ template <int D> class FluidSampler {
       const auto [compression, pressure] = weight_.settle(number, a);
       all.density.push_back(Real(f.rest_density * compression));
       if (tells_pressure_) all.pressure.push_back(Real(pressure));
-      all.outside += is_outside(a);
+      all.outside += is_outside(places.in_scene(a));
       if (!field.empty()) {
-        const auto v = values(field, f.velocity_field, {}, "fluid.velocity_field", velocity_at, a);
+        const auto v = values(field, f.velocity_field, {}, "fluid.velocity_field", velocity_at,
+                              places.in_scene(a));
         std::transform(v.begin(), v.end(), all.v.end() - std::ptrdiff_t((x.size() - i) * D),
                        [](double k) { return Real(k); });
       }
-      if (!force.empty()) values(force, s_.domain.body_force, 0, "domain.body_force", force_at, a);
+      if (!force.empty())
+        values(force, s_.domain.body_force, 0, "domain.body_force", force_at, places.in_scene(a));
       append(all.x, a);
     }
     if (several_liquids_) all.liquid.resize(all.density.size(), s_.liquid_of(number));
@@ -67,10 +69,10 @@ template <int D> class FluidSampler {
   /// The values of a key's functions at a place at the start. Throws if one is not finite.
   std::array<double, D> values(Expressions& of, const std::vector<std::string>& functions,
                                std::optional<double> t, const char* key, const std::string& place,
-                               Vec<D> x) const {
+                               Vec<D, double> x) const {
     double at[3] = {};
     std::array<double, D> value{};
-    for (int k = 0; k < D; ++k) at[k] = double(component(x, k));
+    for (int k = 0; k < D; ++k) at[k] = component(x, k);
     of(at, 0, value.data());
     if (const auto error = not_finite(functions, key, at, t, value.data()))
       throw Error(Error::Kind::scene, place, *error);
@@ -81,7 +83,7 @@ template <int D> class FluidSampler {
     if (jitter_ > 0)
       for (int k = D - 1; k >= 0; --k) component(x, k) += offset_(generator_);
   }
-  bool is_outside(Vec<D> x) const {
+  bool is_outside(Vec<D, double> x) const {
     for (int k = 0; k < D; ++k) {
       const auto j = std::size_t(k);
       if (component(x, k) < s_.domain.min[j] || component(x, k) > s_.domain.max[j]) return true;

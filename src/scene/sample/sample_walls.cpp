@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include "scene/sample/akinci_layer.h"
 #include "scene/sample/places.h"
 #include "scene/sample/point_cloud.h"
 #include "scene/sample/region_layers.h"
+#include "scene/sample/region_surface.h"
 
 namespace freshet {
 namespace {
@@ -18,14 +21,13 @@ WallSample& sample_of(Sample& all, WallMethod method) {
                                            : all.monaghan2009;
 }
 
-/// The depth of the first layer of a method behind the surface, less half a spacing [m].
-double setback(const Scene& s, WallMethod method) {
-  return method == WallMethod::akinci2012 ? single_layer_distance(s) - s.particles.spacing : 0;
-}
-
-template <int D> void append(WallSample& to, Vec<D, double> x, std::int32_t wall) {
-  for (int k = 0; k < D; ++k) to.x.push_back(Real(component(x, k)));
+/// Appends a boundary particle at x in a scene of this origin.
+template <int D>
+void append(WallSample& to, Vec<D, double> x, const Triple& origin, std::int32_t wall,
+            Real volume_factor = 1) {
+  for (int k = 0; k < D; ++k) to.x.push_back(Real(component(x, k) - origin[std::size_t(k)]));
   to.wall.push_back(wall);
+  to.volume_factor.push_back(volume_factor);
 }
 
 /// The domain divided into cells about a spacing wide, and the number of cells beyond each end that
@@ -69,7 +71,8 @@ int side_of(const Scene& s, const Counts& c, const Counts& n) {
 template <int D> void sample_sides(const Scene& s, Sample& all) {
   const SideLattice lattice(s);
   if (lattice.beyond == Counts(D, 0)) return;
-  const double akinci_setback = setback(s, WallMethod::akinci2012);
+  const double akinci_setback = single_layer_distance(s) - s.particles.spacing;
+  const Triple origin = origin_of(s);
   around_lattice<D>(lattice.n, lattice.beyond, [&](const Counts& c) {
     const int side = side_of(s, c, lattice.n);
     if (side < 0) return;
@@ -83,7 +86,7 @@ template <int D> void sample_sides(const Scene& s, Sample& all) {
       if (!s.periodic(k) && c[j] < 0) component(x, k) -= deeper;
       if (!s.periodic(k) && c[j] >= lattice.n[j]) component(x, k) += deeper;
     }
-    append(sample_of(all, s.side_method(side)), x, image ? -1 - side : side);
+    append(sample_of(all, s.side_method(side)), x, origin, image ? -1 - side : side);
   });
 }
 
@@ -108,11 +111,11 @@ template <int D> Room<D> domain_and_support(const Scene& s) {
   return room;
 }
 
-/// Points half a spacing and the setback behind the surface. A mesh with holes has no inside; its
-/// points are on the surface.
+/// Points behind the surface. A mesh with holes has no inside; its points are on the surface.
 std::vector<Vec<3, double>> mesh_samples(const Scene& s, std::size_t wall) {
   const Scene::Wall& w = s.wall[wall];
-  const double depth = s.particles.spacing / 2 + setback(s, s.wall_method(wall));
+  const double depth = s.wall_method(wall) == WallMethod::akinci2012 ? AkinciLayer(s).depth()
+                                                                     : s.particles.spacing / 2;
   const double inwards = w.side == Side::outside ? depth : -depth;
   return points_behind(w.loaded->distance, s.particles.spacing,
                        w.loaded->condition.closed() ? inwards : 0);
@@ -133,9 +136,11 @@ template <int D> std::vector<Vec<D, double>> surface_points(const Scene& s, std:
   if constexpr (D == 3)
     if (w.shape == Shape::mesh) return mesh_samples(s, wall);
   const int layers = wall_layers(s, s.wall_method(wall));
-  const double deeper = setback(s, s.wall_method(wall));
+  std::optional<AkinciLayer> akinci;
+  if (s.wall_method(wall) == WallMethod::akinci2012) akinci.emplace(s);
   if constexpr (D == 2)
-    if (w.shape == Shape::polygon) return layers_of_polygon(w, s.particles.spacing, layers, deeper);
+    if (w.shape == Shape::polygon)
+      return layers_of_polygon(w, s.particles.spacing, layers, akinci ? akinci->setback() : 0);
   const auto solid = solid_of<D>(w);
   const SideLattice lattice(s);
   Room<D> room{vec_of<D>(s.domain.min), vec_of<D>(s.domain.max)};
@@ -146,9 +151,25 @@ template <int D> std::vector<Vec<D, double>> surface_points(const Scene& s, std:
     component(room.high, k) += beyond;
   }
   points = Surface<D>(solid, s.particles.spacing, layers).points(room.low, room.high, cell);
-  for (auto& x : points) x += -deeper * solid.normal(x);
+  if (akinci)
+    for (auto& x : points) akinci->settle(solid, x);
   turn_with<D>(w, points);
   return points;
+}
+
+/// The depths of boundary particles behind the surface give their volumes. Points of a file have no
+/// surface.
+template <int D>
+std::vector<Real> volume_factors(const Scene& s, std::size_t wall,
+                                 const std::vector<Vec<D, double>>& points) {
+  std::vector<Real> factors(points.size(), 1);
+  if (s.wall_method(wall) != WallMethod::akinci2012 || s.wall[wall].shape == Shape::points)
+    return factors;
+  const AkinciLayer layer(s);
+  const RegionSurface<D> surface(s.wall[wall], s.particles.spacing);
+  std::transform(points.begin(), points.end(), factors.begin(),
+                 [&](const auto& x) { return layer.volume_factor(-surface.distance(x)); });
+  return factors;
 }
 
 /// Samples a wall. The part beyond a periodic end is repeated at the opposite end.
@@ -158,16 +179,19 @@ template <int D> void sample_wall(const Scene& s, std::size_t wall, Sample& all)
   const bool repeats = s.wall[wall].shape != Shape::plane;  // a plane extends beyond by itself
   const auto shifts = repeats ? periodic_shifts<D>(s) : std::vector<Vec<D, double>>(1);
   WallSample& to = sample_of(all, s.wall_method(wall));
-  for (const Vec<D, double>& point : surface_points<D>(s, wall))
+  const auto points = surface_points<D>(s, wall);
+  const auto factors = volume_factors<D>(s, wall, points);
+  const Triple origin = origin_of(s);
+  for (std::size_t i = 0; i < points.size(); ++i)
     for (const Vec<D, double>& shift : shifts) {
-      Vec<D, double> x = point + shift, low = domain.low, high = domain.high;
+      Vec<D, double> x = points[i] + shift, low = domain.low, high = domain.high;
       if (!room.has(x)) continue;
       bool image = false;
       for (int k = 0; k < D; ++k)
         image |= s.periodic(k) &&
                  (component(x, k) < component(low, k) || component(x, k) >= component(high, k));
       const auto number = std::int32_t(2 * D + int(wall));
-      append(to, x, image ? -1 - number : number);
+      append(to, x, origin, image ? -1 - number : number, factors[i]);
     }
 }
 
@@ -189,7 +213,7 @@ double most_samples(const Scene& s, const Scene::Region& w, double layers) {
   if (w.shape == Shape::sphere)
     return layers * (w.center.size() == 2 ? 2 * pi * r : 4 * pi * r * r);
   if (w.shape == Shape::mesh)  // upper bound: a layer outside is wider than the surface
-    return 3 * layers * (w.loaded->distance.area() / square(spacing) + 100);
+    return 5 * layers * (w.loaded->distance.area() / square(spacing) + 100);
   if (w.shape == Shape::polygon)  // upper bound: likewise
     return 3 * layers * (perimeter_of(w.loaded->outline) / spacing + 100);
   if (w.shape == Shape::cylinder) return layers * (2 * pi * r * l + 2 * pi * r * r);

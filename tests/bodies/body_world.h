@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
-/// Bodies without forces from a fluid.
+/// Bodies that move without a fluid.
 #pragma once
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "bodies/bodies.h"
-#include "freshet/scene.h"
 #include "scene/model/body_shape.h"
+#include "scene/model/setup.h"
 
 namespace freshet::test {
 
-/// A scene of these bodies and no fluid.
+/// A scene of these bodies and perhaps of walls, without a fluid.
 inline Scene scene_of(const std::string& bodies, bool flat = true, const std::string& domain = "") {
   return parse_scene((flat ? "[domain]\nmax = [10, 10]\n" : "[domain]\nmax = [10, 10, 10]\n") +
                          domain +
@@ -43,6 +45,7 @@ inline double angle_of(const BodyState& b) {
   return 2 * std::atan2(b.orientation[2], b.orientation[3]);
 }
 
+/// Tests of free bodies, which need Bullet.
 class FreeBodies : public ::testing::Test {
  protected:
   void SetUp() override {

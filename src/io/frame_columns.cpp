@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "io/frame_columns.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace freshet {
+namespace {
+
+/// Collects the columns of a parser in a frame.
+class FrameColumns final : public PointSink {
+ public:
+  explicit FrameColumns(std::string file) : PointSink(std::move(file)) {}
+
+  void name(const std::string& column, std::size_t place) override {
+    const auto known = std::find(std::begin(names), std::end(names), column);
+    if (known == std::end(names)) return;
+    auto& at = place_[known - std::begin(names)];
+    if (at >= 0) fail(fmt::format("{} is named twice; name every column once", column));
+    at = std::ptrdiff_t(place);
+  }
+  void check() override {
+    if (place_[0] < 0 || place_[1] < 0)
+      fail("the columns x and y are missing; name a data file of a run");
+    if (given_dimension_ == 3 && place_[2] < 0)
+      fail("the column z is missing; the file is damaged");
+  }
+  bool reads(std::size_t place) const override {
+    return std::find(std::begin(place_), std::end(place_), std::ptrdiff_t(place)) !=
+           std::end(place_);
+  }
+  void note(std::string_view word, double value) override {
+    if (word == "time") frame_.time = finite(value);
+    if (word == "step") frame_.step = std::int64_t(whole(value));
+    if (word == "dimension") {
+      if (value != 2 && value != 3) fail("its dimension is neither 2 nor 3; the file is damaged");
+      given_dimension_ = int(value);
+    }
+  }
+  void add(const std::vector<double>& values) override;
+  Frame take() {
+    frame_.dimension = dimension();
+    return std::move(frame_);
+  }
+
+ private:
+  static constexpr const char* names[] = {"x",       "y",        "z",  "vx",   "vy",   "vz",
+                                          "density", "pressure", "id", "step", "time", "liquid"};
+  int dimension() const { return given_dimension_ ? given_dimension_ : place_[2] < 0 ? 2 : 3; }
+  double finite(double value) const {
+    if (!(std::abs(value) <= 3e38))  // true for NaN as well
+      fail(fmt::format("a number is {}; the file is damaged", value));
+    return value;
+  }
+  double whole(double value) const {
+    if (!(value >= 0 && value <= 9007199254740992.0 && value == std::floor(value)))
+      fail(fmt::format(
+          "an id, step or liquid is {} and must be a whole number; the file is damaged", value));
+    return value;
+  }
+
+  Frame frame_;
+  int given_dimension_ = 0;
+  std::ptrdiff_t place_[std::size(names)] = {-1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
+};
+
+void FrameColumns::add(const std::vector<double>& values) {
+  const auto has = [&](int k) { return place_[k] >= 0; };
+  const auto value = [&](int k) { return has(k) ? finite(values[std::size_t(place_[k])]) : 0.0; };
+  const std::size_t i = frame_.size();
+  for (int k = 0; k < dimension(); ++k) {
+    frame_.x.push_back(float(value(k)));
+    frame_.v.push_back(float(value(3 + k)));
+  }
+  frame_.density.push_back(float(value(6)));
+  frame_.pressure.push_back(float(value(7)));
+  frame_.id.push_back(has(8) ? std::uint64_t(whole(value(8))) : i);
+  if (has(9)) frame_.step = std::int64_t(whole(value(9)));
+  if (has(10)) frame_.time = value(10);
+  if (has(11)) frame_.liquid.push_back(int(std::min(whole(value(11)), 1e9)));
+}
+
+}  // namespace
+
+Frame decode_columns(std::string_view bytes, const std::string& file, PointReader* read) {
+  FrameColumns columns(file);
+  read(bytes, columns);
+  return columns.take();
+}
+
+Frame decode_csv(std::string_view bytes, const std::string& file) {
+  if (!bytes.empty() && !bytes.ends_with('\n'))
+    FilePlace(file).fail("the last line has no end; the file is cut off");
+  return decode_columns(bytes, file, read_csv);
+}
+
+}  // namespace freshet

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "formats/point_formats.h"
+#include "freshet/frame.h"
+
+namespace freshet {
+
+/// Reads a frame from the columns of a point file. Missing ids count from 0; other missing fields,
+/// the time and the step are 0. Throws Error (kind scene) at `file`.
+Frame decode_columns(std::string_view bytes, const std::string& file, PointReader* read);
+
+/// Reads a frame from bytes of encode_csv. Rejects a last line without its end, whose last number
+/// may be cut off.
+Frame decode_csv(std::string_view bytes, const std::string& file);
+
+}  // namespace freshet

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+/// The formats of data files.
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "io/frame_data.h"
+
+namespace freshet {
+
+struct FrameFormat {
+  DataFormat format;
+  const char* extension;  ///< such as ".vtp"
+  std::string (*encode)(const Frame& frame, const DataFields& fields);
+  /// Throws Error (kind scene) at `file`.
+  Frame (*decode)(std::string_view bytes, const std::string& file);
+};
+
+/// All formats. Of a run that wrote several, the first is read.
+std::span<const FrameFormat> frame_formats();
+
+}  // namespace freshet

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "run/plot_tables.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "freshet/error.h"
+
+namespace freshet {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void reject_run(const std::string& place, const std::string& why) {
+  throw Error(Error::Kind::scene, place, why);
+}
+
+/// Adds the sum of kinetic and potential energy as a column.
+void add_total_energy(Table& table) {
+  const Column *kinetic = table.find("kinetic energy"), *potential = table.find("potential energy");
+  if (!kinetic || !potential || kinetic->of_words() || potential->of_words()) return;
+  Column total{"total energy", kinetic->unit, {}, {}};
+  for (std::size_t row = 0; row < table.rows; ++row)
+    total.numbers.push_back(kinetic->numbers[row] + potential->numbers[row]);
+  table.columns.push_back(std::move(total));
+}
+
+Table read_observables(const fs::path& folder) {
+  const fs::path file = folder / "observables.csv";
+  std::error_code ec;
+  if (!fs::is_directory(folder, ec))
+    reject_run(folder.string(), "no such folder; give the folder of a run, as in runs/article");
+  if (!fs::is_regular_file(file, ec))
+    reject_run(folder.string(),
+               "no observables.csv in this folder; give the folder of a run whose first frame is "
+               "written");
+  Table table = read_table(file);
+  const Column* time = table.find("time");
+  if (!time || time->of_words())
+    reject_run(
+        file.string() + ":1",
+        "no column \"time [s]\", so this was not written by a run; give the folder of a run");
+  if (table.rows == 0)
+    reject_run(file.string(), "no row yet; wait until the run has written its first frame");
+  add_total_energy(table);
+  return table;
+}
+
+/// Whether each row is later than the row before it: a probe along a line has many rows per time.
+bool is_over_time(const Table& table) {
+  const Column* time = table.find("time");
+  return time && !time->of_words() && table.rows > 0 &&
+         std::adjacent_find(time->numbers.begin(), time->numbers.end(),
+                            [](double a, double b) { return !(a < b); }) == time->numbers.end();
+}
+
+/// The rows of each word of a column, which is removed.
+std::map<std::string, Table> split_by(const std::string& name, const Table& table) {
+  std::map<std::string, Table> parts;
+  const Column* key = table.find(name);
+  if (!key) return parts;
+  for (std::size_t row = 0; row < table.rows; ++row) {
+    // a body may be called 1: a column of such names holds numbers
+    Table& part = parts[key->of_words() ? key->words[row] : std::to_string(int(key->numbers[row]))];
+    if (part.columns.empty())
+      for (const Column& c : table.columns)
+        if (&c != key) part.columns.push_back({c.name, c.unit, {}, {}});
+    ++part.rows;
+    auto to = part.columns.begin();
+    for (const Column& c : table.columns) {
+      if (&c == key) continue;
+      if (c.of_words()) to->words.push_back(c.words[row]);
+      else to->numbers.push_back(c.numbers[row]);
+      ++to;
+    }
+  }
+  return parts;
+}
+
+}  // namespace
+
+RunTables::RunTables(const fs::path& folder) : folder_(folder) {
+  tables_.push_back({"", read_observables(folder)});
+}
+
+void RunTables::read_all() {
+  if (std::exchange(complete_, true)) return;
+  const auto add = [&](const std::string& owner, Table table) {
+    if (is_over_time(table)) tables_.push_back({owner, std::move(table)});
+  };
+  std::error_code ec;
+  if (fs::is_regular_file(folder_ / "percentiles.csv", ec))
+    add("", read_table(folder_ / "percentiles.csv"));
+  if (fs::is_regular_file(folder_ / "bodies.csv", ec))
+    for (auto& [body, table] : split_by("body", read_table(folder_ / "bodies.csv")))
+      add(body, std::move(table));
+  std::vector<fs::path> probes;
+  for (const auto& entry : fs::directory_iterator(folder_ / "probes", ec))
+    if (entry.path().extension() == ".csv") probes.push_back(entry.path());
+  std::sort(probes.begin(), probes.end());
+  for (const fs::path& file : probes) add(file.stem().string(), read_table(file));
+}
+
+template <class F> void RunTables::each_column(F f) const {
+  for (const auto& [owner, table] : tables_) {
+    const Column* time = table.find("time");
+    for (const Column& c : table.columns)
+      if (&c != time && !c.of_words())
+        f(PlotColumn{owner.empty() ? c.name : owner + ": " + c.name, time, &c}, owner);
+  }
+}
+
+std::vector<PlotColumn> RunTables::find(const std::string& name) const {
+  std::vector<PlotColumn> exact, all;
+  each_column([&](const PlotColumn& c, const std::string&) {
+    if (c.name == name && exact.empty()) exact.push_back(c);
+    if (c.values->name == name) all.push_back(c);
+  });
+  return exact.empty() ? all : exact;
+}
+
+std::set<std::string, std::less<>> RunTables::names() const {
+  std::set<std::string, std::less<>> all;
+  each_column([&](const PlotColumn& c, const std::string&) { all.insert(c.name); });
+  return all;
+}
+
+}  // namespace freshet
