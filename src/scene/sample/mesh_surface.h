@@ -9,8 +9,8 @@ namespace freshet {
 
 /// Points about `spacing` apart, `depth` behind a mesh's surface, or in front of it if `depth` is
 /// negative. No two are closer than 0.7 spacings, and almost every place of that surface is closer
-/// to one than that [Bridson 2007, Poisson discs]. Where the mesh is thinner than 2 depth, the
-/// points are in its middle.
+/// to one than that [Bridson 2007, Poisson discs]. Where the mesh is thinner than 2 depth, or the
+/// depth is 0, the points are in its middle and 0.5 spacings apart.
 std::vector<Vec<3, double>> points_behind(const MeshDistance& mesh, double spacing, double depth);
 
 /// Points in `layers` layers behind a mesh's surface, with one point per cube of a spacing. The
