@@ -87,6 +87,14 @@ std::string particles_row(const Derived& d) {
   return text;
 }
 
+std::string fluid_row(const Scene& s, const DerivedFluid& f) {
+  const char* unit = s.dimension() == 3 ? "m³" : "m²";
+  return fmt::format("{:.4g} {} filled{}", f.filled, unit,
+                     f.asked ? fmt::format(" of {:.4g} {} ({:+.1f} %)", *f.asked, unit,
+                                           100 * f.error())
+                             : "");
+}
+
 std::string inlet_row(const Scene& s, const DerivedInlet& in) {
   return fmt::format(
       "{}: {:.4g} {} at {:.4g} m/s, {:.0f} particles a layer, {:.4g} layers a second", in.name,
@@ -126,6 +134,9 @@ void info(const SceneArguments& a) {
   print_out("{}\n", printable(s.title.empty() ? a.name : s.title));
   row("dimension", fmt::format("{}D", s.dimension()));
   row("particles", particles_row(d));
+  for (std::size_t k = 0; k < d.fluids.size(); ++k)
+    row(d.fluids.size() == 1 ? "volume" : fmt::format("volume of fluid[{}]", k).c_str(),
+        fluid_row(s, d.fluids[k]));
   for (const DerivedInlet& in : d.inlets) row("inlet", inlet_row(s, in));
   row("method", solver_row(s));
   row("spacing", fmt::format("{:g} m", d.spacing));

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <optional>
+
 #include "freshet/scene.h"
 
 namespace freshet {
@@ -12,10 +14,21 @@ struct DerivedInlet {
   double rate;       ///< [m^3/s; m^2/s in 2D]
 };
 
+/// The volume of a fluid at the start [m^D].
+struct DerivedFluid {
+  double filled;  ///< the number of particles times spacing^D
+  /// The volume of the shape inside the domain, without walls and bodies; empty for points.
+  std::optional<double> asked;
+
+  /// filled over asked, less 1; 0 for points.
+  double error() const { return asked && *asked > 0 ? filled / *asked - 1 : 0; }
+};
+
 /// Numbers that follow from a scene. SI units.
 struct Derived {
   double particles;       ///< at the start; a double, so that huge scenes do not overflow
   double most_particles;  ///< estimated maximum with inlets; at most what the domain has room for
+  std::vector<DerivedFluid> fluids;  ///< those of the scene, in its order
   std::vector<DerivedInlet> inlets;
   std::int64_t outside;            ///< particles that start outside the domain
   std::int64_t left_out;           ///< lattice sites of fluids that walls exclude

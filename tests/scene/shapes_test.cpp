@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "freshet/derived.h"
 #include "scene/sample/region_surface.h"
 #include "scene/scene_text.h"
 
@@ -204,6 +205,20 @@ TEST(Shapes, AreSampledAlikeFarFromTheOrigin) {
   compare(near.x, far.x);
   compare(near.akinci2012.x, far.akinci2012.x);
   EXPECT_EQ(near.akinci2012.wall, far.akinci2012.wall);
+}
+
+TEST(Shapes, OfFluidsAreFilledUpToTheirWalls) {
+  for (const char* shape :
+       {"min = [0.5, 0.6]\nmax = [1.5, 1.33]\nrotation = 25\n",
+        "shape = \"polygon\"\npoints = [[0.3, 0.3], [1.7, 0.5], [0.9, 1.6]]\n"}) {
+    const Scene s = with_defaults(scene_with(
+        "[2, 2]", 0.05, wcsph + "[[fluid]]\n" + shape + "[[wall]]\nside = \"inside\"\n" + shape));
+    EXPECT_NEAR(0, derive(s).fluids[0].error(), 0.01) << shape;
+    const RegionSurface<2> surface(s.wall[0], 0.05);
+    const std::vector<Real> x = sample(s).x;
+    for (std::size_t k = 0; k < x.size(); k += 2)
+      EXPECT_GT(surface.distance({double(x[k]), double(x[k + 1])}), 0.3 * 0.05) << shape;
+  }
 }
 
 }  // namespace

@@ -17,6 +17,8 @@ namespace freshet {
 namespace {
 
 constexpr double lightest = 0.1;  // of the fluid's density: lighter bodies are untested
+/// Spacings: the buoyancy of balls from this radius on is known (docs/bodies.md).
+constexpr double smallest_ball = 1.5;
 
 /// An upper bound on the speed of all points of a moved body [m/s], from 1001 times.
 double fastest(const Scene& s, const Scene::Body& b) {
@@ -130,6 +132,12 @@ std::vector<Diagnostic> body_warnings(const Scene& s, const Derived& d) {
                "particles that fill the support radius: the fluid in front of it interacts with "
                "what is behind it; make it thicker or the spacing smaller",
                name, thick.value, reached));
+    if (b.shape == Shape::sphere && b.side == Side::outside && has_fluid(s) &&
+        b.radius < smallest_ball * d.spacing * (1 - 1e-6))
+      warn(at + "radius",
+           fmt::format("{} has a radius of {:.2g} spacings: its buoyancy may be more than 5 % off; "
+                       "{:g} spacings or more are better; make it larger or the spacing smaller",
+                       name, b.radius / d.spacing, smallest_ball));
     if (b.motion == BodyMotion::free) {
       const double density = body_shape(b).density();
       if (has_fluid(s) && density < lightest * d.rest_density)

@@ -268,7 +268,8 @@ template <int D> bool check_places(const Scene& s, bool walls_are_good, Findings
                               "inside; move it or make it smaller",
                               name));
     for (std::size_t w = 0; free && walls_are_good && w < s.wall.size(); ++w)
-      if (s.wall[w].shape != Shape::points && meets(samples[k], RegionSurface<D>(s.wall[w], s.particles.spacing))) {
+      if (s.wall[w].shape != Shape::points &&
+          meets(samples[k], RegionSurface<D>(s.wall[w], s.particles.spacing))) {
         complain(k,
                  fmt::format("{} overlaps {}; move one of them", name, s.wall_names()[2 * D + w]));
         break;

@@ -14,6 +14,7 @@
 #include "scene/model/picture_layout.h"
 #include "scene/model/schedule.h"
 #include "scene/model/setup.h"
+#include "scene/sample/fluid_volume.h"
 
 namespace freshet {
 namespace {
@@ -146,6 +147,12 @@ double fastest_start(const Sample& start, int dimension) {
   return std::sqrt(fastest2);
 }
 
+DerivedFluid derive_fluid(const Scene& s, const Scene::Fluid& f, std::int64_t particles) {
+  DerivedFluid fluid{double(particles) * std::pow(s.particles.spacing, s.dimension()), {}};
+  if (f.shape != Shape::points) fluid.asked = volume_asked(s, f);
+  return fluid;
+}
+
 /// For the pressure solvers, which have no speed of sound: the flow limits the step, and the
 /// nominal speed of sound is ten times the maximum speed.
 void derive_flow(const Scene& s, double fastest, Derived& d) {
@@ -186,8 +193,11 @@ double sound_speed(const Scene& s) { return std::sqrt(stiffness(s)); }
 Derived derive(const Scene& scene) {
   check_scene(scene);
   const Scene s = with_defaults(scene);
-  const Sample start = sample(s);
+  Counts of_fluids;
+  const Sample start = sample(s, &of_fluids);
   Derived d{};
+  for (std::size_t k = 0; k < s.fluid.size(); ++k)
+    d.fluids.push_back(derive_fluid(s, s.fluid[k], of_fluids[k]));
   d.particles = double(start.density.size());
   const InflowEstimate inflow = estimate_inflow(s);
   d.particles += inflow.at_start;

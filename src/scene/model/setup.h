@@ -56,8 +56,8 @@ double farthest_position(const Scene& scene);
 /// The distance between neighbouring numbers there [m].
 double rounding_of_positions(const Scene& scene);
 
-/// The particles at the start.
-Sample sample(const Scene& scene);
+/// The particles at the start. Writes the number of particles of each fluid to `of_fluids`.
+Sample sample(const Scene& scene, Counts* of_fluids = nullptr);
 
 /// An upper bound on the number of boundary particles of the walls, without sampling them.
 double most_wall_samples(const Scene& scene);

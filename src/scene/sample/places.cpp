@@ -9,10 +9,6 @@
 namespace freshet {
 namespace {
 
-struct Box {
-  Vector min, max;
-};
-
 /// The box around the part of the domain on the inner side of a plane.
 Box box_below(const Scene& s, const Scene::Region& plane) {
   Box box{s.domain.min, s.domain.max};
@@ -31,7 +27,17 @@ Box box_below(const Scene& s, const Scene::Region& plane) {
   return box;
 }
 
-/// The box that the lattice of a fluid is aligned to.
+/// The vectors of these numbers, relative to an origin.
+template <int D>
+std::vector<Vec<D>> vectors(const std::vector<double>& numbers, const Triple& origin = {}) {
+  std::vector<Vec<D>> all(numbers.size() / D);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    component(all[i / D], int(i % D)) = Real(numbers[i] - origin[i % D]);
+  return all;
+}
+
+}  // namespace
+
 Box box_around(const Scene& s, const Scene::Fluid& f) {
   if (f.side == Side::outside) {
     if (f.shape != Shape::plane) return {s.domain.min, s.domain.max};
@@ -61,17 +67,6 @@ Box box_around(const Scene& s, const Scene::Fluid& f) {
   return box;
 }
 
-/// The vectors of these numbers, relative to an origin.
-template <int D>
-std::vector<Vec<D>> vectors(const std::vector<double>& numbers, const Triple& origin = {}) {
-  std::vector<Vec<D>> all(numbers.size() / D);
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    component(all[i / D], int(i % D)) = Real(numbers[i] - origin[i % D]);
-  return all;
-}
-
-}  // namespace
-
 double Lattice::particles() const {
   double n = count.empty() ? 0 : 1;
   for (const auto c : count) n *= double(c);
@@ -98,6 +93,11 @@ Lattice lattice_of(const Scene& s, const Scene::Fluid& f) {
   return lattice;
 }
 
+bool keeps_distance(const Scene& s, const Scene::Fluid& f, int side) {
+  const bool as_given = f.shape == Shape::lattice || f.shape == Shape::points;
+  return !as_given && f.outside != Outside::clamp && !s.periodic(side / 2) && !s.is_open(side);
+}
+
 template <int D>
 Places<D>::Places(const Scene& s, const Scene::Fluid& f)
     : spacing_(s.particles.spacing),
@@ -110,43 +110,54 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
   for (int k = 0; k < D; ++k) component(origin_, k) = origin[std::size_t(k)];
   for (std::size_t k = 0; k < lattice_.from.size(); ++k) lattice_.from[k] -= origin[k];
   shifts_ = periodic_shifts<D>(s);
-  const bool of_file = f.shape == Shape::points, as_given = f.shape == Shape::lattice || of_file;
+  const bool of_file = f.shape == Shape::points;
   margin_ = of_file ? 0 : 0.49 * spacing_;
-  for (int side = 0; side < 2 * D; ++side) {  // the sides that places keep a distance from
-    const auto k = std::size_t(side / 2);
-    if (as_given || f.outside == Outside::clamp || s.periodic(side / 2) || s.is_open(side))
-      continue;
-    if (side % 2) high_[k] = s.domain.max[k];
-    else low_[k] = s.domain.min[k];
-  }
+  for (int side = 0; side < 2 * D; ++side)
+    if (const auto k = std::size_t(side / 2); keeps_distance(s, f, side)) {
+      if (side % 2) high_[k] = s.domain.max[k];
+      else low_[k] = s.domain.min[k];
+    }
   const double sheet = of_file ? 0 : spacing_;
+  const auto add = [&](const Scene::Region& region) {
+    const RegionSurface<D> surface(region, sheet);
+    (surface.is_sheet() ? sheets_ : walls_).push_back(surface);
+  };
   for (const Scene::Wall& w : s.wall)
-    if (w.shape != Shape::points) walls_.emplace_back(w, sheet);
+    if (w.shape != Shape::points) add(w);
     else if (!of_file)
       for (const Vec<D>& x : vectors<D>(read_points(w.file, D).x, origin))
         wall_points_.add(to_double(x));
   for (const Scene::Inlet& in : s.inlet) zones_.emplace_back(s, in);
-  for (const Scene::Body& b : s.body) walls_.emplace_back(b, sheet);
+  for (const Scene::Body& b : s.body) add(b);
   if (f.shape != Shape::points) return;
   const PointCloud cloud = read_points(f.file, D);
   points_ = vectors<D>(cloud.x, origin);
   velocities_ = vectors<D>(cloud.v);
 }
 
-/// Whether x is closer to a wall than half a spacing, less the rounding error of a position (see
-/// check_resolution).
-/// The points of a file are where they should be: only those inside a wall are in it.
-template <int D> bool Places<D>::in_wall(Vec<D> x) const {
-  Vec<D, double> place = in_scene(x);
-  for (std::size_t k = 0; k < D; ++k)
-    if (const double at = component(place, int(k));
-        at - low_[k] < 0.49 * spacing_ || high_[k] - at < 0.49 * spacing_)
-      return true;
+template <int D> double Places<D>::clearance(Vec<D, double> x) const {
+  double least = wall_clearance(x);
+  for (std::size_t k = 0; k < D; ++k) {
+    const double at = component(x, int(k));
+    least = std::min({least, at - low_[k], high_[k] - at});
+  }
+  return least;
+}
+
+template <int D> double Places<D>::wall_clearance(Vec<D, double> x) const {
+  double least = INFINITY;
+  for (const auto& wall : walls_)
+    for (const auto& shift : shifts_) least = std::min(least, wall.distance(x + shift));
+  return least;
+}
+
+template <int D> bool Places<D>::is_barred(Vec<D> x) const {
+  const Vec<D, double> place = in_scene(x);
   for (const auto& zone : zones_)
     if (zone.holds(place, margin_)) return true;
-  for (const auto& wall : walls_)
+  for (const auto& sheet : sheets_)
     for (const auto& shift : shifts_)
-      if (wall.distance(place + shift) < margin_) return true;
+      if (sheet.distance(place + shift) < margin_) return true;
   return !wall_points_.empty() && wall_points_.comes_near(to_double(x));
 }
 

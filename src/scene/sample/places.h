@@ -3,6 +3,7 @@
 /// relative to origin_of() the scene.
 #pragma once
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "scene/model/openings.h"
@@ -34,6 +35,15 @@ template <int D> std::vector<Vec<D, double>> periodic_shifts(const Scene& s) {
   return shifts;
 }
 
+struct Box {
+  Vector min, max;
+};
+/// The box that the lattice of a fluid is aligned to. Not for a lattice or points.
+Box box_around(const Scene& scene, const Scene::Fluid& fluid);
+
+/// Whether a fluid keeps half a spacing from a side of the domain.
+bool keeps_distance(const Scene& scene, const Scene::Fluid& fluid, int side);
+
 /// The places of a fluid. `scene` has its defaults filled in and must outlive this.
 template <int D> class Places {
  public:
@@ -43,28 +53,59 @@ template <int D> class Places {
   /// Returns the number of places that are excluded because of walls.
   template <class F> std::int64_t each(F visit) const {
     std::int64_t left_out = 0;
-    const auto look = [&](Vec<D> x, std::size_t i) {
+    each_of_lattice([&](Vec<D> x, std::size_t i) {
       if (!in_shape(x)) return true;
       if (!in_wall(x)) return bool(visit(x, i));
       ++left_out;
       return true;
-    };
+    });
+    return left_out;
+  }
+  /// Calls visit(x, i) for each point of the file or lattice until it returns false.
+  template <class F> void each_of_lattice(F look) const {
     bool on = true;
     for (std::size_t i = 0; i < points_.size() && on; ++i) on = look(points_[i], i);
-    if (!is_lattice()) return left_out;
+    if (!is_lattice()) return;
     for (std::int64_t layer = 0; layer < (D == 3 ? lattice_.count[D - 1] : 1) && on; ++layer)
       for (std::int64_t row = 0; row < lattice_.count[1] && on; ++row)
         for (std::int64_t column = 0; column < lattice_.count[0] && on; ++column)
           on = look(place({column, row, layer}), 0);
-    return left_out;
   }
   bool is_lattice() const { return !lattice_.count.empty(); }
   /// For a lattice: whether one of its places is closer to x than half a spacing.
   bool comes_near(Vec<D> x) const;
+  /// The distance of x from the shape's surface [m], positive inside; infinite if the fluid fills
+  /// its whole lattice.
+  double depth(Vec<D, double> x) const { return shape_ ? shape_->distance(x) : INFINITY; }
+  /// The distance of x from the nearest side, wall or body with an inside [m], negative inside.
+  double clearance(Vec<D, double> x) const;
+  /// The distance of x from the nearest wall or body with an inside [m], negative inside.
+  double wall_clearance(Vec<D, double> x) const;
+  /// Whether x is excluded by what has no inside: zones of inlets, walls of points and sheets.
+  bool is_barred(Vec<D> x) const;
+  /// The number of places that are excluded by what has no inside alone.
+  std::int64_t barred() const {
+    std::int64_t count = 0;
+    if (!zones_.empty() || !sheets_.empty() || !wall_points_.empty())
+      each_of_lattice([&](Vec<D> x, std::size_t) {
+        count += in_shape(x) && clearance(in_scene(x)) >= margin_ && is_barred(x);
+        return true;
+      });
+    return count;
+  }
+  bool in_shape(Vec<D> x) const { return depth(in_scene(x)) > 1e-6 * spacing_; }
+  bool in_wall(Vec<D> x) const { return clearance(in_scene(x)) < margin_ || is_barred(x); }
   /// The velocities of the points of a file; empty without them.
   const std::vector<Vec<D>>& velocities() const { return velocities_; }
   /// The position in the scene of a place [m].
   Vec<D, double> in_scene(Vec<D> x) const { return origin_ + to_double(x); }
+  /// The place at a position in the scene [m].
+  Vec<D> place_at(Vec<D, double> x) const {
+    Vec<D> place{};
+    x = x - origin_;
+    for (int k = 0; k < D; ++k) component(place, k) = Real(component(x, k));
+    return place;
+  }
 
  private:
   Vec<D> place(const std::array<std::int64_t, 3>& n) const {
@@ -74,21 +115,19 @@ template <int D> class Places {
           Real(lattice_.from[std::size_t(k)]) + Real(n[std::size_t(k)]) * Real(spacing_);
     return x;
   }
-  bool in_shape(Vec<D> x) const {
-    return !shape_ || shape_->distance(in_scene(x)) > 1e-6 * spacing_;
-  }
-  bool in_wall(Vec<D> x) const;
 
   double spacing_;
   Vec<D, double> origin_{};
   Lattice lattice_;  // from: relative to the origin
   std::vector<Vec<D>> points_, velocities_;
-  std::optional<RegionSurface<D>> shape_;  // empty: every place is inside
-  std::vector<RegionSurface<D>> walls_;
+  std::optional<RegionSurface<D>> shape_;         // empty: every place is inside
+  std::vector<RegionSurface<D>> walls_, sheets_;  // and bodies
   std::vector<Vec<D, double>> shifts_;
   std::vector<InletZone<D>> zones_;  // of inlets
-  double margin_;                    // from walls, bodies and zones [m]
-  Vector low_, high_;                // of the domain; infinite at sides without a distance
+  /// From walls, bodies and zones [m]: half a spacing, less the rounding error of a position (see
+  /// check_resolution). 0 for the points of a file, which are where they should be.
+  double margin_;
+  Vector low_, high_;  // of the domain; infinite at sides without a distance
   PointGrid<D> wall_points_;
 };
 

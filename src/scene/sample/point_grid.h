@@ -11,14 +11,34 @@
 
 namespace freshet {
 
-/// A hash grid of points. comes_near() finds whether one of them is closer than `near`.
+/// A hash grid of points. Finds those closer than `near`.
 template <int D> class PointGrid {
  public:
   explicit PointGrid(double near) : near_(near) {}
 
-  void add(Vec<D, double> x) { cells_[cell_of(x)].push_back(x); }
+  void add(Vec<D, double> x) { cells_[cell_of(x)].push_back({x, count_++}); }
   bool empty() const { return cells_.empty(); }
   bool comes_near(Vec<D, double> a) const {
+    return visit_near(a, [](int) { return true; });
+  }
+  /// The numbers of the points near a, in the order of cells. The first point has number 0.
+  std::vector<int> near(Vec<D, double> a) const {
+    std::vector<int> all;
+    visit_near(a, [&](int number) {
+      all.push_back(number);
+      return false;
+    });
+    return all;
+  }
+
+ private:
+  using Cell = std::array<std::int64_t, D>;
+  struct Point {
+    Vec<D, double> x;
+    int number;
+  };
+  /// Calls visit for the points near a until it returns true. Returns whether it did.
+  template <class Visit> bool visit_near(Vec<D, double> a, Visit visit) const {
     const Cell center = cell_of(a);
     for (int n = 0; n < (D == 3 ? 27 : 9); ++n) {
       Cell cell = center;
@@ -27,14 +47,11 @@ template <int D> class PointGrid {
       if (D == 3) cell[D - 1] += n / 9 - 1;
       const auto it = cells_.find(cell);
       if (it == cells_.end()) continue;
-      for (const Vec<D, double>& b : it->second)
-        if (norm2(a - b) < near_ * near_) return true;
+      for (const Point& b : it->second)
+        if (norm2(a - b.x) < near_ * near_ && visit(b.number)) return true;
     }
     return false;
   }
-
- private:
-  using Cell = std::array<std::int64_t, D>;
   struct Hash {
     std::size_t operator()(const Cell& cell) const {
       std::uint64_t hash = 0;
@@ -51,7 +68,8 @@ template <int D> class PointGrid {
   }
 
   double near_;
-  std::unordered_map<Cell, std::vector<Vec<D, double>>, Hash> cells_;
+  int count_ = 0;
+  std::unordered_map<Cell, std::vector<Point>, Hash> cells_;
 };
 
 }  // namespace freshet

@@ -14,6 +14,11 @@ template <int D> class RegionSurface {
     else mesh_ = region.loaded;
     fluid_inside_ = region.side == Side::inside;
   }
+  explicit RegionSurface(const Solid<D, double>& solid)
+      : solid_(solid), sheet_(0), fluid_inside_(solid.fluid_inside) {}
+
+  /// Whether this is a mesh with holes.
+  bool is_sheet() const { return mesh_ && !mesh_->condition.closed(); }
 
   /// The distance of x from the surface [m]: positive on the fluid's side, negative on the other.
   double distance(Vec<D, double> x) const {
@@ -27,8 +32,26 @@ template <int D> class RegionSurface {
       return encloses(mesh_->outline, x) == fluid_inside_ ? away : -away;
     }
   }
+  /// The unit normal at the point of the surface nearest to x; it points towards the fluid. 0 if x
+  /// is on a mesh.
+  Vec<D, double> normal(Vec<D, double> x) const {
+    if (!mesh_) return solid_.normal(x);
+    const auto away = x - nearest(x);
+    const double length = norm(away);
+    if (length == 0) return {};
+    return (distance(x) < 0 ? -1 / length : 1 / length) * away;
+  }
 
  private:
+  Vec<D, double> nearest(Vec<D, double> x) const {
+    if constexpr (D == 3) {
+      return mesh_->distance.nearest(x).point;
+    } else {
+      const auto on = mesh_->distance.nearest({x.x, x.y, 0}).point;
+      return {on.x, on.y};
+    }
+  }
+
   Solid<D, double> solid_;
   std::shared_ptr<const LoadedMesh> mesh_;
   double sheet_;

@@ -3,6 +3,7 @@
 
 #include "scene/model/loaded_mesh.h"
 #include "scene/sample/akinci_layer.h"
+#include "scene/sample/ball_layer.h"
 #include "scene/sample/region_layers.h"
 #include "scene/sample/region_surface.h"
 #include "scene/sample/sample_walls.h"
@@ -21,6 +22,8 @@ template <int D> std::vector<Vec<D, double>> layer_of(const Scene& s, const Scen
     if (body.shape == Shape::polygon)
       return layers_of_polygon(body, s.particles.spacing, 1, layer.setback());
   const auto solid = solid_of<D>(body);
+  if constexpr (D == 3)
+    if (has_ball_layer(s, body)) return ball_layer(s, solid);
   auto points = Surface<D>(solid, s.particles.spacing, 1).points({}, {}, {});
   for (auto& x : points) layer.settle(solid, x);
   turn_with<D>(body, points);
@@ -50,10 +53,12 @@ template <int D> void sample_bodies(const Scene& s, Sample& all) {
   const AkinciLayer layer(s);
   for (std::size_t b = 0; b < s.body.size(); ++b) {
     const RegionSurface<D> surface(s.body[b], s.particles.spacing);
+    const bool fitted = has_ball_layer(s, s.body[b]);  // by its depth
     for (Vec<D, double> x : layered ? layers_of<D>(s, s.body[b]) : layer_of<D>(s, s.body[b])) {
       for (int k = 0; k < D; ++k) all.bodies.x.push_back(component(x, k));
       all.bodies.body.push_back(std::int32_t(b));
-      if (!layered) all.bodies.volume_factor.push_back(layer.volume_factor(-surface.distance(x)));
+      if (!layered)
+        all.bodies.volume_factor.push_back(fitted ? 1 : layer.volume_factor(-surface.distance(x)));
     }
   }
 }
@@ -64,7 +69,8 @@ template void sample_bodies<3>(const Scene&, Sample&);
 double most_body_samples(const Scene& s) {
   double all = 0, images = 1;
   const int layers = wall_layers(s, body_method(s));
-  for (const Scene::Body& body : s.body) all += most_samples(s, body, layers);
+  for (const Scene::Body& body : s.body)
+    all += (has_ball_layer(s, body) ? 4 : 1) * most_samples(s, body, layers);
   for (int k = 0; k < s.dimension(); ++k) images *= s.periodic(k) ? 2 : 1;
   return all * (1 + images);
 }

@@ -6,6 +6,7 @@
 
 #include "scene/check/findings.h"
 #include "scene/model/expressions.h"
+#include "scene/sample/fill.h"
 #include "scene/sample/hydrostatic.h"
 #include "scene/sample/places.h"
 #include "scene/sample/sample_bodies.h"
@@ -29,16 +30,20 @@ template <int D> class FluidSampler {
         several_liquids_(s.liquids().size() > 1),
         weight_(s) {}
 
-  void add(std::size_t number, Sample& all) {
+  /// Adds the particles of a fluid and returns their number.
+  std::int64_t add(std::size_t number, Sample& all) {
     const Scene::Fluid& f = s_.fluid[number];
     const Places<D> places(s_, f);
     const Vec<D> velocity = vec_of<D, Real>(f.velocity);
     std::vector<Vec<D>> x;
-    all.left_out += places.each([&](Vec<D> place, std::size_t i) {
+    const std::int64_t left_out = places.each([&](Vec<D> place, std::size_t i) {
       x.push_back(place);
       append(all.v, places.velocities().empty() ? velocity : places.velocities()[i]);
       return true;
     });
+    const std::int64_t added = left_out > 0 ? fill_to_walls(s_, f, places, x) : 0;
+    all.left_out += left_out - added;
+    for (std::int64_t k = 0; k < added; ++k) append(all.v, velocity);
     Expressions field(f.velocity_field), force(s_.domain.body_force);
     const std::string velocity_at = place_of(s_, fmt::format("fluid[{}].velocity_field", number)),
                       force_at = place_of(s_, "domain.body_force");
@@ -60,6 +65,7 @@ template <int D> class FluidSampler {
       append(all.x, a);
     }
     if (several_liquids_) all.liquid.resize(all.density.size(), s_.liquid_of(number));
+    return std::int64_t(x.size());
   }
 
  private:
@@ -99,10 +105,10 @@ template <int D> class FluidSampler {
   Hydrostatic<D> weight_;
 };
 
-template <int D> Sample sample_in(const Scene& s) {
+template <int D> Sample sample_in(const Scene& s, Counts& of_fluids) {
   Sample all;
   FluidSampler<D> sampler(s);
-  for (std::size_t k = 0; k < s.fluid.size(); ++k) sampler.add(k, all);
+  for (std::size_t k = 0; k < s.fluid.size(); ++k) of_fluids.push_back(sampler.add(k, all));
   sample_walls<D>(s, all);
   sample_bodies<D>(s, all);
   return all;
@@ -110,9 +116,12 @@ template <int D> Sample sample_in(const Scene& s) {
 
 }  // namespace
 
-Sample sample(const Scene& scene) {
+Sample sample(const Scene& scene, Counts* of_fluids) {
   const Scene s = with_defaults(scene);
-  return s.dimension() == 2 ? sample_in<2>(s) : sample_in<3>(s);
+  Counts counts;
+  const Sample all = s.dimension() == 2 ? sample_in<2>(s, counts) : sample_in<3>(s, counts);
+  if (of_fluids) *of_fluids = counts;
+  return all;
 }
 
 }  // namespace freshet
