@@ -55,7 +55,7 @@ class Table {
   Table(const Scene& s, const Report& r) : s_(s), r_(r) {}
 
   std::string text(const std::filesystem::path& output) {
-    fluid();
+    if (r_.statistics.particles > 0 || !r_.flows.empty()) fluid();  // not for bodies alone
     if (s_.is_article() || has_check("bright fraction")) picture();
     forces();
     flows();

@@ -67,10 +67,13 @@ Progress::Style Progress::choose(bool quiet, bool json) {
 
 void Progress::start(const Simulation& sim) {
   const Scene& s = sim.scene();
-  say(s.time.adaptive ? fmt::format("{} particles, {:g} s in steps of at most {:g} s",
-                                    sim.fluid().size(), s.time.end, *s.time.step_max)
-                      : fmt::format("{} particles, {} steps of {:g} s", sim.fluid().size(),
-                                    s.steps(), s.time.step));
+  const bool alone = sim.fluid().size() == 0 && s.fluid.empty() && s.inlet.empty();
+  const std::string things =
+      alone ? fmt::format("{} bod{}", s.body.size(), s.body.size() == 1 ? "y" : "ies")
+            : fmt::format("{} particles", sim.fluid().size());
+  say(s.time.adaptive ? fmt::format("{}, {:g} s in steps of at most {:g} s", things, s.time.end,
+                                    *s.time.step_max)
+                      : fmt::format("{}, {} steps of {:g} s", things, s.steps(), s.time.step));
   event(json_text(
       nlohmann::ordered_json{{"event", "start"},
                              {"particles", sim.fluid().size()},

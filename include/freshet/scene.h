@@ -17,7 +17,7 @@
 
 namespace freshet {
 
-enum class Shape { box, sphere, cylinder, plane, points, mesh, lattice };
+enum class Shape { box, sphere, cylinder, plane, points, mesh, polygon, lattice };
 enum class Side { inside, outside };
 enum class Outside { error, clamp };
 enum class StartPressure { zero, hydrostatic };
@@ -43,6 +43,8 @@ enum class DataFormat { vtp, ply, csv, hdf5 };
 enum class DataField { velocity, density, pressure, id };
 enum class Precision { float32, float16 };
 enum class BodyMotion { fixed, moved, free };
+/// A translation along an axis of space, or a rotation about it.
+enum class Freedom { x, y, z, rotation_x, rotation_y, rotation_z };
 enum class Interpolation { smooth, linear };
 
 struct LoadedMesh;
@@ -74,11 +76,15 @@ struct Scene {
     Vector axis;               // cylinder: along its length; any length
     double length = 0;         // cylinder
     Vector point, normal;      // plane: inside is where the normal does not point
-    std::string file;          // points: *.ply, *.vtp or *.csv; mesh: *.stl, *.obj or *.ply
-    double scale = 1;          // mesh: metres per unit of the file
-    Vector rotation;     // mesh: about x, then y, then z [degrees], after scaling; none if empty
-    Vector translation;  // mesh: after rotation [m]; none if empty
-    std::shared_ptr<const LoadedMesh> loaded;  // mesh: read when the scene is loaded
+    // points and polygon: *.ply, *.vtp or *.csv; mesh: *.stl, *.obj or *.ply
+    std::string file;
+    std::vector<Vector> points;  // polygon: corners, in either direction
+    double scale = 1;            // mesh, polygon: metres per unit of the file
+    // box: about its centre; mesh, polygon: about the origin, after scaling [degrees]. In 2D one
+    // number, in 3D about x, then y, then z. None if empty
+    Vector rotation;
+    Vector translation;                        // mesh, polygon: after rotation [m]; none if empty
+    std::shared_ptr<const LoadedMesh> loaded;  // mesh, polygon, rotated box: with the defaults
   };
   struct Fluid : Region {
     Vector velocity;                          // at rest if empty
@@ -144,8 +150,13 @@ struct Scene {
     Vector turn_axis;  // z if empty
     // free
     std::optional<double> density, mass;  // [kg/m^D], [kg; kg/m in 2D]
-    Vector velocity;                      // at the start; at rest if empty
-    double angular_velocity = 0;          // about turn_axis [rad/s]
+    Vector center_of_mass;                // at the start [m]; of an even density if empty
+    // about the centre of mass at the start [kg m²; kg m in 2D]: zz in 2D, xx, yy, zz in 3D, and
+    // perhaps xy, xz, yz; of an even density if empty
+    Vector inertia;
+    std::vector<Freedom> lock;    // does not move along or about these
+    Vector velocity;              // at the start; at rest if empty
+    double angular_velocity = 0;  // about turn_axis [rad/s]
     double restitution = 0.3, friction = 0.5;
   };
   /// A hinge.
@@ -293,7 +304,8 @@ struct Scene {
     std::string color;
     bool operator==(const Liquid&) const = default;
   };
-  /// The distinct liquids, in the order of their first fluid or inlet; fluids come first.
+  /// The distinct liquids, in the order of their first fluid or inlet; fluids come first. A scene
+  /// without both has the default liquid.
   std::vector<Liquid> liquids() const;
   /// The liquid of the k-th inlet: what it does not set is the first fluid's, or the default where
   /// there is no fluid.

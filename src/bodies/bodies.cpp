@@ -29,12 +29,35 @@ Point times(const double (&m)[3][3], Point a) {
           m[2][0] * a.x + m[2][1] * a.y + m[2][2] * a.z};
 }
 
+Point unit_along(int axis) { return {double(axis == 0), double(axis == 1), double(axis == 2)}; }
+
 /// m^-1 a for a symmetric positive definite m.
 Point solve(const double (&m)[3][3], Point a) {
   const Point r0{m[0][0], m[0][1], m[0][2]}, r1{m[1][0], m[1][1], m[1][2]},
       r2{m[2][0], m[2][1], m[2][2]};
   const Point c0 = cross(r1, r2), c1 = cross(r2, r0), c2 = cross(r0, r1);
   return (a.x * c0 + a.y * c1 + a.z * c2) / dot(r0, c0);
+}
+
+using Tensor = double[3][3];
+
+/// The inverse of an inertia tensor that is turned with its body, about the free axes of space
+/// while the others are held.
+void invert_turned(const Tensor& inertia, const Rotation& turn, const bool (&free)[3],
+                   Tensor& inverse) {
+  Tensor held{};  // in space, without what couples free axes with locked ones
+  for (int j = 0; j < 3; ++j) {
+    Point column = turn(times(inertia, turn.inverse(unit_along(j))));
+    for (int i = 0; i < 3; ++i)
+      if (i == j || (free[i] && free[j])) held[i][j] = component(column, i);
+  }
+  const bool all = free[0] && free[1] && free[2];
+  for (int j = 0; j < 3; ++j) {
+    if (!free[j]) continue;
+    const Point unit = unit_along(j);
+    Point column = all ? turn(solve(inertia, turn.inverse(unit))) : solve(held, unit);
+    for (int i = 0; i < 3; ++i) inverse[i][j] = component(column, i);
+  }
 }
 
 }  // namespace
@@ -59,10 +82,6 @@ struct Bodies::Impl {
       else if (!scene.periodic(side / 2)) sides.closed |= bit;
     }
     return sides.left_through(x, a) >= 0;
-  }
-  double mass(std::size_t k) const {
-    const Scene::Body& b = scene.body[k];
-    return b.mass.value_or(b.density.value_or(0) * shapes[k].volume);
   }
 
   const Scene& scene;
@@ -132,7 +151,7 @@ std::array<SixNumbers, 6> Bodies::mobility(std::size_t k) const {
   std::array<SixNumbers, 6> m{};
   const Scene::Body& b = impl_->scene.body[k];
   if (b.motion != BodyMotion::free) return m;
-  const double mass = impl_->mass(k), density = mass / impl_->shapes[k].volume;
+  const double mass = impl_->shapes[k].mass, density = impl_->shapes[k].density();
   const Rotation turn(states_[k].orientation);
   const Point center = point_of(states_[k].position);
   for (const Scene::Joint& joint : impl_->scene.joint) {
@@ -152,16 +171,17 @@ std::array<SixNumbers, 6> Bodies::mobility(std::size_t k) const {
       for (std::size_t j = 0; j < 6; ++j) m[i][j] = u[i] * u[j] / inertia;
     return m;
   }
-  for (std::size_t i = 0; i < 3; ++i) m[i][i] = 1 / mass;
+  const auto free = freedoms_of(b, impl_->scene.dimension());
+  for (std::size_t i = 0; i < 3; ++i)
+    if (free[i]) m[i][i] = 1 / mass;
   if (impl_->scene.dimension() == 2) {
-    m[5][5] = 1 / (density * impl_->shapes[k].inertia[2][2]);
+    if (free[5]) m[5][5] = 1 / (density * impl_->shapes[k].inertia[2][2]);
     return m;
   }
-  for (std::size_t j = 0; j < 3; ++j) {
-    const Point unit{double(j == 0), double(j == 1), double(j == 2)};
-    const Point a = turn(solve(impl_->shapes[k].inertia, turn.inverse(unit))) / density;
-    m[3][3 + j] = a.x, m[4][3 + j] = a.y, m[5][3 + j] = a.z;
-  }
+  Tensor inverse{};
+  invert_turned(impl_->shapes[k].inertia, turn, {free[3], free[4], free[5]}, inverse);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) m[3 + i][3 + j] = inverse[i][j] / density;
   return m;
 }
 
@@ -174,7 +194,7 @@ SixNumbers Bodies::pull(std::size_t k, double time) const {
     impl_->body_force({p[0], p[1], p[2]}, time, b);
   }
   for (std::size_t d = 0; d < impl_->scene.domain.gravity.size(); ++d)
-    load[d] = impl_->mass(k) * (impl_->scene.domain.gravity[d] + b[d]);
+    load[d] = impl_->shapes[k].mass * (impl_->scene.domain.gravity[d] + b[d]);
   return load;
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "bodies/body_axes.h"
+#include "scene/model/body_mesh.h"
 #include "scene/model/loaded_mesh.h"
 #include "scene/model/solid_of.h"
 
@@ -72,11 +74,8 @@ bool never_turns(const Scene::Body& b) {
           std::all_of(b.key.begin(), b.key.end(), [](const auto& k) { return k.angle == 0; }));
 }
 
-void set_hull(Collider& c, const TriangleMesh& mesh, const BodyShape& shape, btQuaternion& turn) {
-  btMatrix3x3 inertia = bullet(shape.inertia), principal;
-  inertia.diagonalize(principal, 1e-12 * (inertia[0][0] + inertia[1][1] + inertia[2][2]), 100);
-  principal.getRotation(turn);
-  turn.normalize();
+void set_hull(Collider& c, const TriangleMesh& mesh, const BodyShape& shape,
+              const btQuaternion& turn) {
   auto hull = std::make_unique<btConvexHullShape>();
   const btMatrix3x3 back = btMatrix3x3(turn).transpose();
   for (const auto& p : mesh.points) hull->addPoint(back * bullet(p - shape.center), false);
@@ -105,10 +104,10 @@ class WallColliders {
     if (w.shape == Shape::plane) {
       const btVector3 n = bullet(w.normal).normalized();
       plane(tank ? -n : n, bullet(w.point), middle_of(scene_.domain.min, scene_.domain.max));
+    } else if (is_mesh(w)) {
+      set_triangles(all_.emplace_back(), w.loaded->distance.mesh(), {});
     } else if (w.shape == Shape::box && tank) {
       box_inside(w);
-    } else if (w.shape == Shape::mesh) {
-      set_triangles(all_.emplace_back(), w.loaded->distance.mesh(), {});
     } else if (!tank && w.shape != Shape::points) {
       solid(w);
     }
@@ -158,14 +157,16 @@ btVector3 periods_of(const Scene& s) {
 Collider body_collider(const Scene& s, std::size_t k, const BodyShape& shape, btQuaternion& turn) {
   const Scene::Body& b = s.body[k];
   Collider c;
-  if (b.shape != Shape::mesh) {
+  const bool flat = s.dimension() == 2;
+  if (!is_mesh(b) && b.side == Side::outside) {
     Scene::Region region = b;
     if (b.shape == Shape::box && never_turns(b)) region = without_seams(s, region, c);
-    c.shape = shape_of(region, s.dimension() == 2, turn);
+    c.shape = shape_of(region, flat, turn);
   } else if (b.motion == BodyMotion::free) {
-    set_hull(c, b.loaded->distance.mesh(), shape, turn);
+    if (!flat) turn = principal_axes(inertia_of(shape)).turn;
+    set_hull(c, collision_mesh(b), shape, turn);
   } else {
-    set_triangles(c, b.loaded->distance.mesh(), shape.center);
+    set_triangles(c, collision_mesh(b), shape.center);
   }
   return c;
 }

@@ -24,6 +24,7 @@ btVector3 periods_of(const Scene& scene);
 /// A collision shape and the memory that it refers to.
 struct Collider {
   std::unique_ptr<btTriangleMesh> triangles;
+  std::unique_ptr<btCollisionShape> part;  // the only one of a compound shape
   std::unique_ptr<btCollisionShape> shape;
   btTransform place = btTransform::getIdentity();
   /// Whether the shape stands for all its periodic images along an axis: a plane, or a box that
@@ -33,8 +34,8 @@ struct Collider {
 };
 
 /// The shape of a body about its centre of mass. `turn` receives the rotation from Bullet's axes,
-/// in which the inertia is diagonal. A mesh that is free becomes its convex hull, because Bullet
-/// cannot move concave meshes.
+/// in which the inertia is diagonal. A mesh or tank that is free becomes its convex hull, because
+/// Bullet cannot move concave meshes.
 Collider body_collider(const Scene& scene, std::size_t k, const BodyShape& shape,
                        btQuaternion& turn);
 

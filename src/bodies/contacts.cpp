@@ -12,6 +12,18 @@ bool is_plane(const btRigidBody& b) {
   return b.getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE;
 }
 
+/// The shape of an object and its place; of a compound, those of its only part.
+struct Part {
+  const btCollisionShape* shape;
+  btTransform place;
+};
+Part part_of(const btRigidBody& b) {
+  const btCollisionShape* shape = b.getCollisionShape();
+  if (!shape->isCompound()) return {shape, b.getWorldTransform()};
+  const auto& all = static_cast<const btCompoundShape&>(*shape);
+  return {all.getChildShape(0), b.getWorldTransform() * all.getChildTransform(0)};
+}
+
 /// Points of the rims of a cylinder that can be its deepest against a plane with this normal: on
 /// its side the lowest of both rims, on its end four of the lower rim.
 void add_rims(const btCylinderShape& c, const btTransform& place, const btVector3& normal,
@@ -136,16 +148,16 @@ void Contacts::find(const Object& free, const Object& other) {
 
 /// Finds the contacts of a free body with an object that is shifted.
 void Contacts::touch(btRigidBody& free, btRigidBody& other, const btVector3& shift) {
-  btTransform place = other.getWorldTransform();
-  place.getOrigin() += shift;
-  const btCollisionObjectWrapper a(nullptr, free.getCollisionShape(), &free,
-                                   free.getWorldTransform(), -1, -1),
-      b(nullptr, other.getCollisionShape(), &other, place, -1, -1);
+  const Part of_free = part_of(free);
+  Part of_other = part_of(other);
+  of_other.place.getOrigin() += shift;
+  const btCollisionObjectWrapper a(nullptr, of_free.shape, &free, of_free.place, -1, -1),
+      b(nullptr, of_other.shape, &other, of_other.place, -1, -1);
   if (is_plane(other)) return touch_plane(a, b);
   algorithms_.push_back(dispatcher_.findAlgorithm(&a, &b, nullptr, BT_CONTACT_POINT_ALGORITHMS));
   btManifoldResult result(&a, &b);
   btDispatcherInfo info;
-  info.m_enableSatConvex = other.getCollisionShape()->isConcave();
+  info.m_enableSatConvex = of_other.shape->isConcave();
   algorithms_.back()->processCollision(&a, &b, info, &result);
   if (btPersistentManifold* m = result.getPersistentManifold()) move_points(*m, other, -shift);
 }

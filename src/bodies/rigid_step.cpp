@@ -34,10 +34,17 @@ std::size_t find(std::vector<std::size_t>& parent, std::size_t k) {
   return k;
 }
 
+/// Whether a body cannot move along an axis of the scene. Bullet's exact solver ignores it.
+bool is_held(const btCollisionObject& object, bool flat) {
+  const btVector3& factor = static_cast<const btRigidBody&>(object).getLinearFactor();
+  return factor.x() == 0 || factor.y() == 0 || (factor.z() == 0 && !flat);
+}
+
 }  // namespace
 
 RigidStep::RigidStep(const Scene& scene)
-    : configuration_(small_pools()),
+    : flat_(scene.dimension() == 2),
+      configuration_(small_pools()),
       several_points_(&depth_),
       dispatcher_(&configuration_),
       contacts_(dispatcher_, scene) {
@@ -56,7 +63,7 @@ RigidStep::RigidStep(const Scene& scene)
   info_.m_linearSlop = sunk * scene.particles.spacing;
   info_.m_splitImpulsePenetrationThreshold = 1e30;  // penetration never adds speed
   info_.m_restitutionVelocityThreshold = 0.05;
-  if (scene.dimension() == 3) info_.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+  if (!flat_) info_.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
 }
 
 RigidStep::~RigidStep() {
@@ -144,7 +151,9 @@ void RigidStep::solve(Island& i, double dt) {
   };
   info_.m_timeStep = dt;
   info_.m_globalCfm = yield * dt / i.mass;
-  if (const int n = rows(i); n == 0 || n > most_exact) {
+  const bool held = std::any_of(i.bodies.begin(), i.bodies.end(),
+                                [this](const auto* b) { return is_held(*b, flat_); });
+  if (const int n = rows(i); n == 0 || n > most_exact || held) {
     by(btSequentialImpulseConstraintSolver());
   } else {
     const std::lock_guard lock(one_at_a_time);

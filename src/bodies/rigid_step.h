@@ -41,6 +41,7 @@ class RigidStep {
   void solve(Island& island, double dt);
   int rows(const Island& island) const;
 
+  bool flat_;
   btDefaultCollisionConfiguration configuration_;
   btGjkEpaPenetrationDepthSolver depth_;
   btConvexConvexAlgorithm::CreateFunc several_points_;

@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #ifdef FRESHET_BULLET
+#include "bodies/body_axes.h"
 #include "bodies/rigid_step.h"
+#include "scene/model/solid_of.h"
 #endif
 
 namespace freshet {
@@ -13,7 +15,10 @@ namespace freshet {
 
 namespace {
 
-std::array<double, 3> array(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+btQuaternion orientation_of(const BodyState& state) {
+  const auto& q = state.orientation;
+  return {q[0], q[1], q[2], q[3]};
+}
 
 }  // namespace
 
@@ -24,6 +29,9 @@ struct RigidWorld::Impl {
     btQuaternion turn = btQuaternion::getIdentity();
     double mass = 0;
     btVector3 inertia{0, 0, 0};
+    std::array<bool, 6> free{};
+    // of the part of a compound collider, from the centre of mass at the start
+    btTransform part_place = btTransform::getIdentity();
   };
 
   const Scene& scene;
@@ -41,14 +49,49 @@ struct RigidWorld::Impl {
     const Scene::Body& b = scene.body[k];
     const BodyShape& shape = shapes[k];
     Body out;
-    if (b.motion == BodyMotion::free)
-      out.mass = b.mass.value_or(b.density.value_or(0) * shape.volume);
+    const bool free = b.motion == BodyMotion::free;
+    if (free) out.mass = shape.mass;
+    out.free = freedoms_of(b, scene.dimension());
     out.collider = body_collider(scene, k, shape, out.turn);
-    const btMatrix3x3 turn(out.turn);
-    const btMatrix3x3 inertia = turn.transpose() * bullet(shape.inertia) * turn;
-    for (int d = 0; d < 3; ++d) out.inertia[d] = out.mass / shape.volume * inertia[d][d];
+    const bool other_axes =
+        !flat && (!turns_freely(out.free) || (!b.inertia.empty() && !is_mesh(b)));
+    if (free && (other_axes || !b.center_of_mass.empty())) compound(b, shape, out);
+    const btMatrix3x3 inertia = inertia_of(shape, btMatrix3x3(out.turn).transpose());
+    for (int d = 0; d < 3; ++d) out.inertia[d] = shape.density() * inertia[d][d];
     if (flat) out.inertia[0] = out.inertia[1] = 0;  // Bullet: infinite; it turns about z only
+    if (flat && !out.free[5]) out.inertia[2] = 0;
     return out;
+  }
+  /// Makes the collider a part of a compound: the axes of its shape are then no longer those of the
+  /// inertia, or the centre of the shape is not that of mass.
+  void compound(const Scene::Body& b, const BodyShape& shape, Body& out) const {
+    Collider& c = out.collider;
+    c.part = std::move(c.shape);
+    out.part_place.setRotation(out.turn);
+    if (!is_mesh(b)) out.part_place.setOrigin(bullet(shape.middle - shape.center));
+    if (!flat) out.turn = principal_axes(inertia_of(shape)).turn;
+    auto all = std::make_unique<btCompoundShape>(false);
+    all->addChildShape(btTransform(out.turn).inverse() * out.part_place, c.part.get());
+    c.shape = std::move(all);
+  }
+  /// The axes and the inertia of a body in a step that begins with its rotation q. About locked
+  /// axes, the inertia is 0, which Bullet takes as infinite.
+  BodyAxes axes(std::size_t k, const btQuaternion& q) const {
+    const Body& body = bodies[k];
+    if (flat || body.mass == 0 || turns_freely(body.free)) return {body.turn, body.inertia};
+    BodyAxes held = principal_axes(uncoupled(inertia_of(shapes[k], btMatrix3x3(q)), body.free));
+    held.inertia *= shapes[k].density();
+    for (int d = 0; d < 3; ++d)
+      if (!body.free[std::size_t(3 + d)]) held.inertia[d] = 0;
+    held.turn = q.inverse() * held.turn;
+    static_cast<btCompoundShape&>(*body.collider.shape)
+        .updateChildTransform(0, btTransform(held.turn).inverse() * body.part_place);
+    return held;
+  }
+  /// -omega x (inertia omega), which Bullet does not have for a body with locked axes: its inertia
+  /// there lacks the elements that matter.
+  btVector3 gyroscopic_torque(std::size_t k, const btQuaternion& q, const btVector3& omega) const {
+    return -shapes[k].density() * omega.cross(inertia_of(shapes[k], btMatrix3x3(q)) * omega);
   }
 
   std::size_t named(const std::string& name) const {
@@ -57,13 +100,12 @@ struct RigidWorld::Impl {
     return k;
   }
 
-  btRigidBody& add_body(RigidStep& step, std::size_t k, const BodyState& state,
-                        const Load& load) const {
+  btRigidBody& add_body(RigidStep& step, std::size_t k, const BodyAxes& axes,
+                        const BodyState& state, const Load& load) const {
     const Scene::Body& of = scene.body[k];
-    const auto& q = state.orientation;
-    const btTransform place(btQuaternion(q[0], q[1], q[2], q[3]) * bodies[k].turn,
-                            bullet(state.position));
-    btRigidBody& b = step.add(bodies[k].mass, bodies[k].inertia, place, &bodies[k].collider);
+    const btQuaternion turned = orientation_of(state);
+    const btTransform place(turned * axes.turn, bullet(state.position));
+    btRigidBody& b = step.add(bodies[k].mass, axes.inertia, place, &bodies[k].collider);
     b.setFriction(of.friction);
     b.setRestitution(of.restitution);
     const btVector3 v = bullet(state.velocity), omega = bullet(state.angular_velocity);
@@ -72,9 +114,12 @@ struct RigidWorld::Impl {
       b.setLinearVelocity(v);
       b.setAngularVelocity(omega);
     } else if (of.motion == BodyMotion::free) {
-      if (flat) {
-        b.setLinearFactor({1, 1, 0});
-        b.setAngularFactor({0, 0, 1});
+      const auto& free = bodies[k].free;
+      b.setLinearFactor(btVector3(free[0], free[1], free[2]));
+      b.setAngularFactor(btVector3(free[3], free[4], free[5]));
+      if (!flat && !turns_freely(free)) {
+        b.setFlags(0);  // no gyroscopic torque by Bullet
+        b.applyTorque(gyroscopic_torque(k, turned, omega));
       }
       b.setLinearVelocity(v);
       b.setAngularVelocity(omega);
@@ -84,15 +129,16 @@ struct RigidWorld::Impl {
     return b;
   }
 
-  void add_hinges(RigidStep& step, const std::vector<btRigidBody*>& all, double dt) const {
+  void add_hinges(RigidStep& step, const std::vector<btRigidBody*>& all,
+                  const std::vector<btQuaternion>& turns, double dt) const {
     btRigidBody* world = nullptr;
     for (const Scene::Joint& joint : scene.joint) {
       // the hinge in the axes of each of the two bodies, from their initial positions
       const auto at = [&](std::size_t k, const btVector3& x) {
-        return btMatrix3x3(bodies[k].turn).transpose() * (x - bullet(shapes[k].center));
+        return btMatrix3x3(turns[k]).transpose() * (x - bullet(shapes[k].center));
       };
       const auto along = [&](std::size_t k, const btVector3& a) {
-        return btMatrix3x3(bodies[k].turn).transpose() * a;
+        return btMatrix3x3(turns[k]).transpose() * a;
       };
       const std::size_t k = named(joint.body);
       const btVector3 x = bullet(joint.point),
@@ -112,13 +158,19 @@ struct RigidWorld::Impl {
     }
   }
 
-  void read(const btRigidBody& b, std::size_t k, BodyState& state) const {
-    btQuaternion q = b.getWorldTransform().getRotation() * bodies[k].turn.inverse();
+  /// Reads what is free; locked coordinates keep their bits.
+  void read(const btRigidBody& b, std::size_t k, const btQuaternion& turn, BodyState& state) const {
+    const auto& free = bodies[k].free;
+    const auto move = [&](auto& to, const btVector3& by, std::size_t first) {
+      for (std::size_t d = 0; d < 3; ++d)
+        if (free[first + d]) to[d] = by[int(d)];
+    };
+    move(state.position, b.getWorldTransform().getOrigin(), 0);
+    move(state.velocity, b.getLinearVelocity(), 0);
+    move(state.angular_velocity, b.getAngularVelocity(), 3);
+    btQuaternion q = b.getWorldTransform().getRotation() * turn.inverse();
     q.normalize();
-    state.position = array(b.getWorldTransform().getOrigin());
-    state.orientation = {q.x(), q.y(), q.z(), q.w()};
-    state.velocity = array(b.getLinearVelocity());
-    state.angular_velocity = array(b.getAngularVelocity());
+    if (free[3] || free[4] || free[5]) state.orientation = {q.x(), q.y(), q.z(), q.w()};
   }
 };
 
@@ -130,13 +182,17 @@ void RigidWorld::step(std::vector<BodyState>& states, std::span<const Load> load
   const Impl& w = *impl_;
   RigidStep step(w.scene);
   std::vector<btRigidBody*> all;
-  for (std::size_t k = 0; k < states.size(); ++k)
-    all.push_back(&w.add_body(step, k, states[k], loads[k]));
+  std::vector<btQuaternion> turns;  // from the axes of a body to Bullet's
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const BodyAxes axes = w.axes(k, orientation_of(states[k]));
+    turns.push_back(axes.turn);
+    all.push_back(&w.add_body(step, k, axes, states[k], loads[k]));
+  }
   for (const Collider& wall : w.walls) step.add(0, {0, 0, 0}, wall.place, &wall);
-  w.add_hinges(step, all, dt);
+  w.add_hinges(step, all, turns, dt);
   step.advance(dt);
   for (std::size_t k = 0; k < states.size(); ++k)
-    if (w.scene.body[k].motion == BodyMotion::free) w.read(*all[k], k, states[k]);
+    if (w.scene.body[k].motion == BodyMotion::free) w.read(*all[k], k, turns[k], states[k]);
 }
 
 #else

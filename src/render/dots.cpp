@@ -8,7 +8,7 @@
 #include "render/bodies.h"
 #include "scene/model/body_shape.h"
 #include "scene/model/picture_layout.h"
-#include "scene/model/solid_of.h"
+#include "scene/sample/region_surface.h"
 
 namespace freshet {
 namespace {
@@ -17,6 +17,7 @@ constexpr Color background{8, 10, 28}, frame{80, 80, 120}, wall{128, 126, 122};
 constexpr int margin = picture_margin;
 constexpr int default_radius = 5;    // [px]
 constexpr double disc_girth = 1.15;  // diameter of a disc in spacings, which closes the gaps
+constexpr double shell_of_tank = 1;  // [spacings]: thickness at which a body is drawn
 constexpr float softness = 0.7f;     // fraction of the dot's radius at which its weight is 1/e
 
 std::uint8_t add(std::uint8_t below, std::uint8_t color, float weight) {
@@ -93,34 +94,41 @@ struct Extent {
 };
 
 /// The rectangle of pixels that a wall may cover.
-Extent extent_of(const Solid<2, double>& solid, const Window& window, const Image& image) {
+Extent extent_of(const Scene::Wall& w, const Window& window, const Image& image) {
   const double(&scale)[2] = window.scale;
   const int right = image.width - margin, bottom = image.height - margin;
-  if (solid.fluid_inside || solid.kind == SolidKind::plane) return {margin, margin, right, bottom};
-  const bool ball = solid.kind == SolidKind::ball;
-  const double half_x = ball ? solid.radius : solid.half.x;
-  const double half_y = ball ? solid.radius : solid.half.y;
+  if (w.side == Side::inside || w.shape == Shape::plane) return {margin, margin, right, bottom};
+  Vec<2, double> center{}, half{};
+  if (is_mesh(w)) {
+    const auto low = w.loaded->distance.low(), high = w.loaded->distance.high();
+    center = {(low.x + high.x) / 2, (low.y + high.y) / 2};
+    half = {(high.x - low.x) / 2, (high.y - low.y) / 2};
+  } else {
+    const auto solid = solid_of<2>(w);
+    center = solid.center;
+    half = w.shape == Shape::sphere ? Vec<2, double>{w.radius, w.radius} : solid.half;
+  }
   const auto pixel = [](double p, int last) {
     return int(std::clamp(p, double(margin), double(last)));
   };
-  const double x = margin + (solid.center.x - window.min[0]) * scale[0];
-  const double y = bottom - (solid.center.y - window.min[1]) * scale[1];
-  return {pixel(x - half_x * scale[0] - 1, right), pixel(y - half_y * scale[1] - 1, bottom),
-          pixel(x + half_x * scale[0] + 2, right), pixel(y + half_y * scale[1] + 2, bottom)};
+  const double x = margin + (center.x - window.min[0]) * scale[0];
+  const double y = bottom - (center.y - window.min[1]) * scale[1];
+  return {pixel(x - half.x * scale[0] - 1, right), pixel(y - half.y * scale[1] - 1, bottom),
+          pixel(x + half.x * scale[0] + 2, right), pixel(y + half.y * scale[1] + 2, bottom)};
 }
 
 /// Draws walls in grey with smooth edges.
 void draw_walls(Image& image, const Scene& s, const Window& window) {
   const double(&scale)[2] = window.scale;
   for (const Scene::Wall& w : s.wall) {
-    if (!is_solid(w.shape)) continue;
-    const auto solid = solid_of<2>(w);
-    const Extent e = extent_of(solid, window, image);
+    if (w.shape == Shape::points || (is_mesh(w) && !w.loaded)) continue;
+    const RegionSurface<2> surface(w, s.particles.spacing);
+    const Extent e = extent_of(w, window, image);
     for (int y = e.top; y < e.bottom; ++y)
       for (int x = e.left; x < e.right; ++x) {
         const Vec<2, double> p{window.min[0] + (x + 0.5 - margin) / scale[0],
                                window.max[1] - (y + 0.5 - margin) / scale[1]};
-        const double inside = 0.5 - solid.distance(p) * std::min(scale[0], scale[1]);
+        const double inside = 0.5 - surface.distance(p) * std::min(scale[0], scale[1]);
         if (inside > 0) cover(image.at(x, y), wall, std::min(1.0f, float(inside)));
       }
   }
@@ -131,7 +139,7 @@ void draw_walls(Image& image, const Scene& s, const Window& window) {
 void draw_bodies(Image& image, const Scene& s, const Window& window, const Frame& frame) {
   const double(&scale)[2] = window.scale;
   for (std::size_t k = 0; k < std::min(s.body.size(), frame.bodies.size()); ++k) {
-    const auto solid = solid_of<2>(s.body[k]);
+    const RegionSurface<2> surface(s.body[k], s.particles.spacing);
     const BodyShape shape = body_shape(s.body[k]);
     const BodyState& now = frame.bodies[k];
     const Rotation turn(now.orientation);
@@ -141,13 +149,17 @@ void draw_bodies(Image& image, const Scene& s, const Window& window, const Frame
     const int right = image.width - margin, bottom = image.height - margin;
     const double x = margin + (now.position[0] - window.min[0]) * scale[0];
     const double y = bottom - (now.position[1] - window.min[1]) * scale[1];
-    const double reach_x = shape.reach * scale[0] + 2, reach_y = shape.reach * scale[1] + 2;
+    const bool tank = s.body[k].side == Side::inside;
+    const double shell = tank ? shell_of_tank * s.particles.spacing : INFINITY;
+    const double reach = shape.reach + (tank ? shell : 0);
+    const double reach_x = reach * scale[0] + 2, reach_y = reach * scale[1] + 2;
     for (int py = pixel(y - reach_y, bottom); py < pixel(y + reach_y, bottom); ++py)
       for (int px = pixel(x - reach_x, right); px < pixel(x + reach_x, right); ++px) {
         const Vec<3, double> p{window.min[0] + (px + 0.5 - margin) / scale[0] - now.position[0],
                                window.max[1] - (py + 0.5 - margin) / scale[1] - now.position[1], 0};
         const Vec<3, double> q = shape.center + turn.inverse(p);
-        const double inside = 0.5 - solid.distance({q.x, q.y}) * std::min(scale[0], scale[1]);
+        const double away = surface.distance({q.x, q.y});
+        const double inside = 0.5 + std::min(-away, shell + away) * std::min(scale[0], scale[1]);
         if (inside > 0) cover(image.at(px, py), body_color(s, k), std::min(1.0f, float(inside)));
       }
   }

@@ -47,7 +47,8 @@ FloorShadow::FloorShadow(const Scene& scene, const Frame& fluid,
     if (solid.kind != SolidKind::plane && !solid.fluid_inside) add_solid(solid);
   for (const Scene::Wall& wall : scene.wall)
     if (wall.loaded && wall.side == Side::outside) add_mesh(wall.loaded->distance.mesh());
-  for (const TriangleMesh& body : bodies) add_mesh(body);
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    if (scene.body[k].side == Side::outside) add_mesh(bodies[k]);
   for (int pass = 0; pass < 3; ++pass) blur(shadow_softness);
 }
 

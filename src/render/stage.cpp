@@ -47,15 +47,18 @@ Stage::Stage(const Scene& scene, const Frame& fluid, const View& view, Color gro
   edge_ = mix(ground, light ? Color{0, 0, 0} : Color{255, 255, 255}, 0.45f);
   add_box_lines(low_, high_);
   for (const Scene::Wall& w : scene.wall) {
-    if (w.shape == Shape::mesh && w.loaded) meshes_.push_back({w.loaded, w.side == Side::inside});
-    if (!is_solid(w.shape)) continue;
+    if (is_mesh(w) && w.loaded) meshes_.push_back({w.loaded, w.side == Side::inside});
+    if (!is_solid(w)) continue;
     const auto solid = solid_of<3>(w);
     if (solid.kind != SolidKind::plane && solid.fluid_inside) add_tank_lines(solid);
     else if (solid.kind != SolidKind::plane || solid.distance(view.eye) > 0)
       solids_.push_back(solid);
   }
   bodies_ = posed_bodies(scene, fluid);
-  for (std::size_t k = 0; k < bodies_.size(); ++k) body_colors_.push_back(body_color(scene, k));
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    body_colors_.push_back(body_color(scene, k));
+    body_tanks_.push_back(scene.body[k].side == Side::inside);
+  }
   if (has_floor_) shadow_.emplace(scene, fluid, solids_, bodies_);
 }
 
@@ -124,7 +127,7 @@ void Stage::draw(Band& band) const {
       draw_triangle(band, mesh.loaded->distance.mesh(), int(k), mesh.tank, wall_color);
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     for (std::size_t k = 0; k < bodies_[b].triangles.size(); ++k)
-      draw_triangle(band, bodies_[b], int(k), false, body_colors_[b]);
+      draw_triangle(band, bodies_[b], int(k), body_tanks_[b], body_colors_[b]);
   for (const Line& line : lines_) draw_line(band, line);
 }
 

@@ -64,6 +64,7 @@ class Stage {
   std::vector<Mesh> meshes_;
   std::vector<TriangleMesh> bodies_;
   std::vector<Color> body_colors_;
+  std::vector<bool> body_tanks_;
   std::vector<Line> lines_;
   std::optional<FloorShadow> shadow_;
 };

@@ -39,6 +39,13 @@ class Describer : public KeyVisitor {
   void numbers(std::string_view n, Vector&, std::size_t count, const KeyDoc& d) override {
     key(n, fmt::format("{} numbers", count), "", d);
   }
+  void components(std::string_view n, Vector&, std::span<const std::size_t> counts,
+                  const KeyDoc& d) override {
+    key(n, fmt::format("number, or {} numbers", fmt::join(counts, " or ")), "", d);
+  }
+  void vectors(std::string_view n, std::vector<Vector>&, const KeyDoc& d) override {
+    key(n, "list of points", "", d);
+  }
   void boolean(std::string_view n, bool& v, const KeyDoc& d) override {
     key(n, "boolean", v ? "true" : "false", d);
   }
@@ -113,6 +120,19 @@ class SchemaWriter final : public Describer {
     if (std::isfinite(doc.max)) json["maximum"] = doc.max;
     return json;
   }
+  static Json numbers_of(int count, const KeyDoc& doc) {
+    return {{"type", "array"},
+            {"items", number("number", doc)},
+            {"minItems", count},
+            {"maxItems", count}};
+  }
+  /// The digits in `type` are the counts that are allowed.
+  static Json number_or_numbers(std::string_view type, const KeyDoc& doc) {
+    Json all = Json::array({number("number", doc)});
+    for (const char c : type)
+      if (c >= '0' && c <= '9') all.push_back(numbers_of(c - '0', doc));
+    return {{"oneOf", all}};
+  }
   void key(std::string_view name, std::string_view type, const std::string& fallback,
            const KeyDoc& doc) override {
     Json json;
@@ -121,6 +141,8 @@ class SchemaWriter final : public Describer {
       json = {{"type", "array"}, {"items", {{"enum", words_}}}, {"uniqueItems", true}};
     else if (type == "number or name")
       json = {{"oneOf", {number("number", doc), {{"enum", words_}}}}};
+    else if (type.starts_with("number, or")) json = number_or_numbers(type, doc);
+    else if (type == "list of points") json = {{"type", "array"}, {"items", numbers_of(2, doc)}};
     else if (type == "list of strings")
       json = {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 2}, {"maxItems", 3}};
     else if (type == "string") json = {{"type", "string"}};
@@ -128,8 +150,7 @@ class SchemaWriter final : public Describer {
     else if (type == "integer") json = number("integer", doc);
     else if (type == "boolean") json = {{"type", "boolean"}};
     else if (const auto n = type.front() - '0'; type == fmt::format("{} numbers", n))
-      json = {
-          {"type", "array"}, {"items", number("number", doc)}, {"minItems", n}, {"maxItems", n}};
+      json = numbers_of(n, doc);
     else
       json = {{"type", "array"},
               {"items", number(type == "2 or 3 integers" ? "integer" : "number", doc)},

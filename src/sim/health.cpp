@@ -10,6 +10,7 @@
 
 #include "scene/model/body_motion.h"
 #include "scene/model/openings.h"
+#include "scene/model/setup.h"
 #include "scene/model/still_water.h"
 
 namespace freshet {
@@ -112,6 +113,7 @@ void Health::look(const Moment& now, const ParticleView& fluid,
                   const std::vector<SolveStatistics>& solves,
                   const std::function<TimeStepBounds()>& bounds) {
   see(now, fluid);
+  if (fluid.size() == 0 && !has_fluid(scene_)) return;  // bodies alone
   const bool first = record_.first_step == 0;
   if (first && scene_.solver.scheme != Scheme::article) {
     record_.first_step = now.step;

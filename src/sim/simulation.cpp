@@ -41,7 +41,7 @@ double Simulation::time() const { return impl_->time; }
 const TimeSteps& Simulation::time_steps() const { return impl_->time_steps; }
 const std::vector<SolveStatistics>& Simulation::solves() const { return impl_->solves; }
 const std::vector<Warning>& Simulation::warnings() const { return impl_->health->warnings(); }
-TimeStepBounds Simulation::bounds() const { return impl_->engine().bounds(impl_->time); }
+TimeStepBounds Simulation::bounds() const { return impl_->bounds(); }
 bool Simulation::finished() const {
   const Scene& s = impl_->scene;
   return s.time.adaptive ? impl_->time >= s.time.end * (1 - 1e-12) : impl_->steps >= s.steps();
@@ -122,9 +122,8 @@ void Simulation::remove_particles(std::span<const std::uint64_t> ids) {
 
 void Simulation::observe(ObserverSchedule schedule,
                          std::function<void(const Simulation&)> observer) {
-  const Every every = schedule.seconds > 0
-                          ? Every({}, schedule.seconds)
-                          : Every(std::max<std::int64_t>(schedule.steps, 1), {});
+  const Every every = schedule.seconds > 0 ? Every({}, schedule.seconds)
+                                           : Every(std::max<std::int64_t>(schedule.steps, 1), {});
   impl_->observers.emplace_back(every, std::move(observer));
 }
 
@@ -139,7 +138,7 @@ void Simulation::step() {
   i.time_steps.max = std::max(i.time_steps.max, dt);
   if (Health::due(i.steps) || finished())
     i.health->look({i.steps, i.time, dt}, i.engine().fluid(), i.solves,
-                   [&i] { return i.engine().bounds(i.time); });
+                   [&i] { return i.bounds(); });
   for (const auto& [every, observer] : i.observers)
     if (every.due({i.steps - 1, before, i.time, false})) observer(*this);
 }
@@ -199,12 +198,18 @@ void Simulation::Impl::note(const Solves& solved) {
   }
 }
 
+/// Bodies alone have no bounds: those of an engine are of its liquid, even without a particle.
+TimeStepBounds Simulation::Impl::bounds() const {
+  if (!has_fluid(scene) && engine().fluid().size() == 0) return {infinity, infinity, infinity};
+  return engine().bounds(time);
+}
+
 double Simulation::Impl::next_step() {
   if (!scene.time.adaptive) {
     time_steps.last_ruled = "fixed";
     return scene.time.step;
   }
-  const TimeStepBounds b = engine().bounds(time);
+  const TimeStepBounds b = bounds();
   const double most = *scene.time.step_max;
   const bool bounded = b.least() < most;
   time_steps.last_ruled = bounded ? b.ruling() : "step_max";

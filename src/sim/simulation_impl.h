@@ -46,6 +46,7 @@ struct Simulation::Impl {
   std::vector<StateArray> state() const;
   std::string state_digest(StateArray::Role role) const;
   class Resized;
+  TimeStepBounds bounds() const;
   double next_step();
   double advance(double from, double dt, int halvings, double whole);
   void note(const Solves& solves);

@@ -13,16 +13,12 @@
 
 namespace freshet::test {
 
-/// A scene of these bodies, and perhaps of walls. It needs a fluid: a drop far from them.
+/// A scene of these bodies and perhaps of walls, without a fluid.
 inline Scene scene_of(const std::string& bodies, bool flat = true, const std::string& domain = "") {
-  const std::string rest =
-      flat ? "[domain]\nmax = [10, 10]\n" + domain + "[fluid]\nmin = [9.4, 9.4]\nmax = [9.8, 9.8]\n"
-           : "[domain]\nmax = [10, 10, 10]\n" + domain +
-                 "[fluid]\nmin = [9.5, 9.5, 9.5]\nmax = [9.7, 9.7, 9.7]\n";
-  return parse_scene(rest +
+  return parse_scene((flat ? "[domain]\nmax = [10, 10]\n" : "[domain]\nmax = [10, 10, 10]\n") +
+                         domain +
                          "[particles]\nspacing = 0.1\n[solver]\nname = \"wcsph\"\n"
-                         "sound_speed = 10\n"
-                         "[time]\nend = 4\nstep = 0.001\n" +
+                         "sound_speed = 10\n[time]\nend = 4\nstep = 0.001\n" +
                          bodies,
                      "test.toml");
 }
@@ -44,6 +40,10 @@ class World {
   std::vector<SixNumbers> nothing_;
   double time_ = 0;
 };
+
+inline double angle_of(const BodyState& b) {
+  return 2 * std::atan2(b.orientation[2], b.orientation[3]);
+}
 
 /// Tests of free bodies, which need Bullet.
 class FreeBodies : public ::testing::Test {

@@ -16,8 +16,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double angle_of(const BodyState& b) { return 2 * std::atan2(b.orientation[2], b.orientation[3]); }
-
 TEST_F(FreeBodies, FallFreely) {
   World w(
       "[body]\nmin = [4, 7]\nmax = [5, 8]\nmotion = \"free\"\ndensity = 500\n"

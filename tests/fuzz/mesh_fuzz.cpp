@@ -45,7 +45,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     freshet::TriangleMesh mesh = freshet::mesh_in(bytes, file);
     check_mesh(mesh);
-    freshet::mend_mesh(mesh);
+    freshet::mend_mesh(mesh, 0.1);
     if (!mesh.triangles.empty()) check_mesh(mesh);
   } catch (const freshet::Error& e) {
     check_error(e);

@@ -244,7 +244,7 @@ TEST(Resolution, ScalesStepMaxOfAdaptiveSteps) {
       "domain.max = [1, 1]\nparticles.spacing = 0.1\nfluid = { min = [0, 0], max = [1, 0.5] }\n"
       "time = { end = 1, step = \"adaptive\", step_max = 0.01 }\n",
       "test.toml");
-  for (const auto& [key, value] : at_resolution(coarse, 200)) EXPECT_NE("time.step", key) << value;
+  for (const auto& [key, value] : at_resolution(coarse, 200)) EXPECT_NE("time.step", key) << value.value_or("");
   const Scene fine = parse_scene(coarse.source, "test.toml", at_resolution(coarse, 200));
   EXPECT_NEAR(0.005, *fine.time.step_max, 1e-12);
 }

@@ -70,7 +70,7 @@ template <int D> class ReferenceBackend : public ReferenceSets<D> {
   template <class Term, class Sum>
   void add(const Particles<D>& targets, const Over<D, Term>& sources, Sum* sums) {
     using Neighbor = typename Term::template Neighbor<Real>;
-    if (sources.set.n == 0) return;
+    if (targets.n == 0 || sources.set.n == 0) return;  // they have no lists
     const auto& lists = lists_.at({targets.set, sources.set.set});
     const int n = sources.set.n + sources.set.copies;
     Neighbor* neighbor = scratch<Neighbor>(neighbor_memory_, std::size_t(n));

@@ -10,6 +10,7 @@
 #include "scene/model/body_motion.h"
 #include "scene/model/body_shape.h"
 #include "scene/model/loaded_mesh.h"
+#include "scene/model/setup.h"
 #include "scene/sample/sample_walls.h"
 
 namespace freshet {
@@ -23,17 +24,18 @@ struct Length {
   const char* key;
   double value;
 };
-/// The thickness of a wall or body, and the key that sets it. For a closed mesh, the thickness of
-/// its box; an open one is a sheet.
+/// The thickness of a wall or body, and the key that sets it. For a polygon or a closed mesh, the
+/// thickness of its box; an open mesh is a sheet.
 Length thickness(const Scene::Region& r, double spacing) {
   if (r.shape == Shape::mesh && !r.loaded->condition.closed()) return {"file", spacing};
   if (r.side == Side::inside) return {"", INFINITY};
   if (r.shape == Shape::sphere) return {"radius", 2 * r.radius};
   if (r.shape == Shape::cylinder && r.length < 2 * r.radius) return {"length", r.length};
   if (r.shape == Shape::cylinder) return {"radius", 2 * r.radius};
-  if (r.shape == Shape::mesh) {
-    const auto sides = r.loaded->distance.high() - r.loaded->distance.low();
-    return {"scale", std::min({sides.x, sides.y, sides.z})};
+  if (r.shape == Shape::polygon || r.shape == Shape::mesh) {
+    const auto sides = sides_of(*r.loaded);
+    const double least = std::min(sides.x, sides.y);
+    return {"scale", r.shape == Shape::polygon ? least : std::min(least, sides.z)};
   }
   double least = INFINITY;
   for (std::size_t d = 0; d < r.min.size(); ++d) least = std::min(least, r.max[d] - r.min[d]);
@@ -53,10 +55,33 @@ void warn_of_thin(const Scene& s, const Derived& d, const Scene::Region& r, std:
                               name, thick.value, needed)});
 }
 
+/// Centres of mass and moments of inertia that need mass outside the shape.
+template <class Warn>
+void warn_of_mass(const Scene::Body& b, const std::string& at, const std::string& name, Warn warn) {
+  if (b.inertia.empty()) return;
+  const BodyShape shape = body_shape(b);
+  const double off = norm(shape.center - shape.middle);
+  if (off > shape.extent / 2)
+    warn(at + "center_of_mass",
+         fmt::format("the centre of mass of {} is {:.4g} m from the middle of its shape, which "
+                     "reaches {:.4g} m: is it in metres, and at the place of the body?",
+                     name, off, shape.extent / 2));
+  const auto& i = shape.inertia;
+  const double second = b.inertia.size() == 1 ? i[2][2] : (i[0][0] + i[1][1] + i[2][2]) / 2;
+  const double gyration = std::sqrt(second / shape.volume);
+  if (gyration > shape.reach)
+    warn(
+        at + "inertia",
+        fmt::format("the inertia of {} is that of its mass {:.4g} m from its centre, and its shape "
+                    "reaches {:.4g} m: is it in kg m²?",
+                    name, gyration, shape.reach));
+}
+
 }  // namespace
 
 std::vector<Diagnostic> thin_wall_warnings(const Scene& s, const Derived& d) {
   std::vector<Diagnostic> list;
+  if (!has_fluid(s)) return list;
   const std::vector<std::string> names = s.wall_names();
   const std::size_t sides = names.size() - s.wall.size();
   for (std::size_t k = 0; k < s.wall.size(); ++k)
@@ -81,28 +106,30 @@ std::vector<Diagnostic> body_warnings(const Scene& s, const Derived& d) {
     free |= b.motion == BodyMotion::free;
     const double reached = wall_layers(s, WallMethod::adami2012) * d.spacing;
     const Length thick = thickness(b, d.spacing);
-    if (layered && thick.value < reached * (1 - 1e-6))
+    if (layered && has_fluid(s) && thick.value < reached * (1 - 1e-6))
       warn(at + thick.key,
            fmt::format(
                "{} is {:.4g} m thick, and \"adami2012\" needs {:.4g} m for layers of body "
                "particles that fill the support radius: the fluid in front of it interacts with "
                "what is behind it; make it thicker or the spacing smaller",
                name, thick.value, reached));
-    if (b.shape == Shape::sphere && b.radius < smallest_ball * d.spacing * (1 - 1e-6))
+    if (b.shape == Shape::sphere && b.side == Side::outside && has_fluid(s) &&
+        b.radius < smallest_ball * d.spacing * (1 - 1e-6))
       warn(at + "radius",
            fmt::format("{} has a radius of {:.2g} spacings: its buoyancy may be more than 5 % off; "
                        "{:g} spacings or more are better; make it larger or the spacing smaller",
                        name, b.radius / d.spacing, smallest_ball));
     if (b.motion == BodyMotion::free) {
-      const double density = b.density.value_or(b.mass.value_or(0) / body_shape(b).volume);
-      if (density < lightest * d.rest_density)
+      const double density = body_shape(b).density();
+      if (has_fluid(s) && density < lightest * d.rest_density)
         warn(at + (b.density ? "density" : "mass"),
              fmt::format("{} has {:.2g} times the density of the fluid: the fluid that it "
                          "displaces is so much heavier that its motion may oscillate; {:g} times "
                          "or more are stable",
                          name, density / d.rest_density, lightest));
+      warn_of_mass(b, at, name, warn);
     }
-    if (b.motion != BodyMotion::moved || s.time.adaptive) continue;
+    if (b.motion != BodyMotion::moved || s.time.adaptive || !has_fluid(s)) continue;
     const double bound = 0.4 * d.support_radius / 2 / fastest_point(b, s.dimension(), s.time.end);
     if (s.time.step > bound)
       warn("time.step", fmt::format("the time step {:.4g} s is longer than {:.4g} s, in which {} "

@@ -25,8 +25,9 @@ void check_all(const Scene& scene, const std::set<std::string, std::less<>>& unr
   if (read("domain") && findings.list.empty()) check_sizes(scene, findings);
   const bool sizes = read("domain") && findings.list.empty();
   bool sampled = read("particles") && check_particles(scene, findings);
-  if (read("fluid", "inlet") && scene.fluid.empty() && scene.inlet.empty())
-    findings.error("fluid", "there is no fluid; add a [fluid] table, or an [inlet]");
+  if (read("fluid", "inlet", "body") && scene.fluid.empty() && scene.inlet.empty() &&
+      scene.body.empty())
+    findings.error("fluid", "there is no fluid; add a [fluid] table, an [inlet], or bodies alone");
   if (read("time")) check_time(scene, findings);
   if (read("time", "output")) check_output(scene, findings);
   if (read("solver", "particles", "fluid")) check_method(scene, findings);

@@ -71,7 +71,8 @@ void check_motion_keys(const Scene::Body& b, const std::string& at, Findings& ou
                              motion_words[int(needed)]));
   };
   unused(BodyMotion::moved, {"position", "angle", "key", "path", "interpolation", "pivot"});
-  unused(BodyMotion::free, {"density", "mass", "velocity", "angular_velocity"});
+  unused(BodyMotion::free,
+         {"density", "mass", "center_of_mass", "inertia", "lock", "velocity", "angular_velocity"});
   if (b.motion == BodyMotion::fixed)
     for (const char* key : {"turn_axis"})
       out.unused(at + key, fmt::format("body.{}", key),
@@ -192,21 +193,8 @@ bool check_moved(const Scene& s, const Scene::Body& b, const std::string& at, Fi
   return good && check_course(s, b, at, out);
 }
 
-bool check_free(const Scene::Body& b, const std::string& at, Findings& out) {
-  if (!moves_free_bodies())
-    out.error(at + "motion",
-              "body.motion is \"free\", which needs Bullet, and this Freshet was built without it; "
-              "install libbullet-dev and rebuild");
-  if (!b.density && !b.mass)
-    out.error(at + "motion",
-              "body.motion is \"free\", and the mass is missing; set body.density or body.mass");
-  else if (b.density && b.mass)
-    out.error(at + "mass", "body.density and body.mass are both set; keep one of them");
-  else return moves_free_bodies();
-  return false;
-}
-
 bool check_thickness(const Scene& s, const Scene::Body& b, const std::string& at, Findings& out) {
+  if (b.side == Side::inside) return true;  // the particles of a tank lie around its shape
   const double spacing = s.particles.spacing;
   const auto thick = [&](const char* key, double length, double least) {
     if (length >= least * (1 - 1e-6)) return true;
@@ -289,7 +277,7 @@ template <int D> bool check_places(const Scene& s, bool walls_are_good, Findings
     for (std::size_t j = 0; j < k; ++j)
       if (meets(samples[k], bodies[j]) || meets(samples[j], bodies[k]))
         complain(k, fmt::format("{} overlaps {}; move one of them", name, s.body_name(j)));
-    const double size = 2 * body_shape(s.body[k]).reach;
+    const double size = body_shape(s.body[k]).extent;
     for (int d = 0; d < D; ++d)
       if (const auto j = std::size_t(d);
           free && s.periodic(d) &&
@@ -308,20 +296,32 @@ bool check_body(const Scene& s, std::size_t k, Findings& out) {
   const Scene::Body& b = s.body[k];
   const std::string at = at_body(k);
   if (b.shape == Shape::plane || b.shape == Shape::points || b.shape == Shape::lattice) {
-    out.error(at + "shape",
-              fmt::format("body.shape is \"{}\"; a body must be a box, sphere, cylinder or mesh; "
-                          "choose one",
-                          shape_words[int(b.shape)]));
+    out.error(
+        at + "shape",
+        fmt::format("body.shape is \"{}\"; a body must be a box, sphere, cylinder, polygon or "
+                    "mesh; choose one",
+                    shape_words[int(b.shape)]));
     return false;
   }
-  out.unused(at + "side", "body.side", "the fluid is always outside a body; remove it");
+  if (b.side == Side::inside && b.motion == BodyMotion::free) {
+    out.error(at + "side",
+              "body.side is \"inside\", and body.motion is \"free\": a tank can be \"fixed\" or "
+              "\"moved\" only; choose one, or enclose the fluid by several free bodies on joints");
+    return false;
+  }
   check_motion_keys(b, at, out);
   const bool turns = check_axis(s, at + "turn_axis", "body.turn_axis", b.turn_axis, out);
   if (!check_region(s, {b, at, "body"}, out) || !check_thickness(s, b, at, out) ||
       !check_body_reach(s, k, out))
     return false;
   if (b.motion == BodyMotion::moved) return check_moved(s, b, at, out) && turns;
-  return (b.motion == BodyMotion::fixed || check_free(b, at, out)) && turns;
+  return (b.motion == BodyMotion::fixed || (turns && check_free(s, b, at, out))) && turns;
+}
+
+bool hinged_to_free(const Scene& s, const Scene::Joint& j) {
+  for (std::size_t k = 0; k < s.body.size(); ++k)
+    if (s.body_name(k) == j.other) return s.body[k].motion == BodyMotion::free;
+  return false;
 }
 
 bool check_joint(const Scene& s, std::size_t k, Findings& out) {
@@ -337,6 +337,15 @@ bool check_joint(const Scene& s, std::size_t k, Findings& out) {
     out.error(at + "body", fmt::format("joint.body is \"{}\", which is {}; a joint needs a free "
                                        "body; name a body with motion = \"free\"",
                                        j.body, motion_words[int(body->motion)]));
+    good = false;
+  }
+  if (body && !body->lock.empty() && !hinged_to_free(s, j)) {
+    out.error(
+        at + "body",
+        fmt::format("joint.body is \"{}\", which has body.lock; a hinge to the world, or to a "
+                    "body that is not free, leaves its rotation only; remove body.lock or "
+                    "the joint",
+                    j.body));
     good = false;
   }
   if (j.body == j.other) {

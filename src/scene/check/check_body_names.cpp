@@ -5,6 +5,7 @@
 #include "scene/check/findings.h"
 #include "scene/check/names.h"
 #include "scene/model/body_shape.h"
+#include "scene/model/solid_of.h"
 
 namespace freshet {
 
@@ -28,7 +29,7 @@ bool check_body_reach(const Scene& s, std::size_t k, Findings& out) {
   const double center[] = {shape.center.x, shape.center.y, shape.center.z};
   double gap = 0, domain = 0;
   for (std::size_t d = 0; d < s.domain.max.size(); ++d) {
-    const bool box = b.shape == Shape::box;
+    const bool box = b.shape == Shape::box && !is_turned_box(b);
     const double low = box ? b.min[d] : center[d] - shape.reach,
                  high = box ? b.max[d] : center[d] + shape.reach;
     domain = std::max(domain, s.domain.max[d] - s.domain.min[d]);

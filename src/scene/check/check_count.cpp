@@ -32,8 +32,8 @@ double extent(const Scene::Region& r) {
   double longest = 0;
   if (r.shape == Shape::sphere) return 2 * r.radius;
   if (r.shape == Shape::cylinder) return std::max(2 * r.radius, r.length);
-  if (r.shape == Shape::mesh) {
-    const auto sides = r.loaded->distance.high() - r.loaded->distance.low();
+  if (is_mesh(r)) {
+    const auto sides = sides_of(*r.loaded);
     return std::max({sides.x, sides.y, sides.z});
   }
   for (std::size_t k = 0; r.shape == Shape::box && k < r.min.size(); ++k)

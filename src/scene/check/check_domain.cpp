@@ -87,7 +87,10 @@ void check_sizes(const Scene& s, Findings& out) {
     check(at + "axis", r.axis.size());
     check(at + "point", r.point.size());
     check(at + "normal", r.normal.size());
-    check(at + "rotation", r.rotation.size());
+    if (const std::size_t n = r.rotation.size(); n != 0 && n != (s.dimension() == 2 ? 1u : 3u))
+      out.error(at + "rotation", fmt::format("{}rotation has {} numbers; it must have {}", at, n,
+                                             s.dimension() == 2 ? "1 in 2D" : "3 in 3D"));
+    for (const Vector& p : r.points) check(at + "points", p.size());
     check(at + "translation", r.translation.size());
   };
   check("domain.min", s.domain.min.size());
@@ -119,6 +122,7 @@ void check_sizes(const Scene& s, Findings& out) {
     check(at + "pivot", b.pivot.size());
     check(at + "turn_axis", b.turn_axis.size());
     check(at + "velocity", b.velocity.size());
+    check(at + "center_of_mass", b.center_of_mass.size());
     for (std::size_t j = 0; j < b.key.size(); ++j)
       check(fmt::format("{}key[{}].translation", at, j), b.key[j].translation.size());
   }

@@ -260,7 +260,7 @@ void check_neighbors(const Scene& s, std::size_t k, const std::vector<std::size_
                                  s.wall_names()[2 * D + w], plan.layers));
   }
   for (std::size_t o = 0; o < s.outlet.size(); ++o) {
-    if (!is_solid(s.outlet[o].shape)) continue;
+    if (!is_solid(s.outlet[o])) continue;
     const auto outlet = solid_of<D>(s.outlet[o]);
     if (any([&](auto x) { return outlet.distance(x) > -hair * plan.spacing; }))
       out.error(key, fmt::format("the inlet overlaps {}, which would remove its particles; move "
@@ -316,7 +316,7 @@ bool check_inlet(const Scene& s, std::size_t k, Findings& out) {
 
 bool check_outlet(const Scene& s, std::size_t k, Findings& out) {
   const std::string at = fmt::format("outlet[{}].", k);
-  if (is_solid(s.outlet[k].shape) && s.outlet[k].shape != Shape::lattice)
+  if (is_solid(s.outlet[k]) && s.outlet[k].shape != Shape::lattice)
     return check_region(s, {s.outlet[k], at, "outlet"}, out);
   out.error(at + "shape",
             "outlet.shape is not allowed for an outlet; choose \"box\", \"sphere\", "

@@ -57,6 +57,7 @@ const char* key_of_end(const Scene::Fluid& f, bool lower) {
     case Shape::points:
       return "file";
     case Shape::mesh:
+    case Shape::polygon:
       return "translation";
     default:
       return "center";
@@ -144,7 +145,7 @@ void check_pressure(const Scene::Fluid& f, const std::string& at, Findings& out)
             fmt::format("fluid.pressure is \"hydrostatic\", and the shape is \"{}\"; only a box, a "
                         "lattice or the inside of a plane can be hydrostatic; choose one, or "
                         "\"zero\"",
-                        shape_words[int(f.shape)]));
+                        is_turned_box(f) ? "box, turned" : shape_words[int(f.shape)]));
 }
 
 template <int D> bool is_empty(const Scene& s, const Scene::Fluid& f) {

@@ -56,25 +56,30 @@ bool check_place(const Scene& s, const RegionAt& at, const MeshDistance& mesh, F
 
 }  // namespace
 
+std::string hole_words(const MeshHole& h) {
+  return fmt::format("a hole of {} edges near [{:.4g}, {:.4g}, {:.4g}], {:.3g} m wide", h.edges,
+                     h.middle.x, h.middle.y, h.middle.z, h.width);
+}
+
 bool check_mesh(const Scene& s, const RegionAt& at, Findings& out) {
+  const bool encloses = at.name != "wall" || at.region.side == Side::inside;
   std::shared_ptr<const LoadedMesh> loaded = at.region.loaded;
   try {
-    if (!loaded) loaded = load_mesh(at.region);
+    if (!loaded) loaded = load_mesh(at.region, encloses ? s.particles.spacing : 0);
   } catch (const Error& e) {
     for (const Diagnostic& d : e.diagnostics())
       out.error(at.path + "file",
                 fmt::format("{}.file is \"{}\": {}", at.name, at.region.file, d.message));
     return false;
   }
-  const bool encloses = at.name != "wall" || at.region.side == Side::inside;
   const MeshCondition& c = loaded->condition;
   if (encloses && !c.closed()) {
     out.error(at.path + "file",
               fmt::format(
-                  "{}.file is \"{}\", which is not closed: {} edges have one triangle "
-                  "only, the first near [{:.4g}, {:.4g}, {:.4g}], so it has no inside; close "
-                  "it in a modelling program{}",
-                  at.name, at.region.file, c.open, c.open_at.x, c.open_at.y, c.open_at.z,
+                  "{}.file is \"{}\", which is not closed, so it has no inside: {}; only "
+                  "holes narrower than the spacing, {:.4g} m, are filled; close it in a "
+                  "modelling program{}",
+                  at.name, at.region.file, hole_words(c.widest_open()), s.particles.spacing,
                   at.name != "wall" ? "" : ", or use it as a sheet with wall.side = \"outside\""));
     return false;
   }

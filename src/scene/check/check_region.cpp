@@ -6,13 +6,14 @@
 
 #include "scene/check/findings.h"
 #include "scene/keys/keys.h"
+#include "scene/model/loaded_mesh.h"
 
 namespace freshet {
 namespace {
 
-constexpr const char* all_keys[] = {"min",    "max",    "from",     "count",      "center",
-                                    "radius", "length", "axis",     "point",      "normal",
-                                    "file",   "scale",  "rotation", "translation"};
+constexpr const char* all_keys[] = {"min",    "max",    "from",     "count",       "center",
+                                    "radius", "length", "axis",     "point",       "normal",
+                                    "file",   "scale",  "rotation", "translation", "points"};
 
 /// The keys that each shape requires.
 std::vector<std::string> needed_keys(Shape shape) {
@@ -30,6 +31,8 @@ std::vector<std::string> needed_keys(Shape shape) {
     case Shape::points:
     case Shape::mesh:
       return {"file"};
+    case Shape::polygon:
+      return {};
   }
   return {};
 }
@@ -38,6 +41,8 @@ std::vector<std::string> needed_keys(Shape shape) {
 std::vector<std::string> further_keys(Shape shape) {
   if (shape == Shape::cylinder) return {"axis"};
   if (shape == Shape::mesh) return {"scale", "rotation", "translation"};
+  if (shape == Shape::polygon) return {"points", "file", "scale", "rotation", "translation"};
+  if (shape == Shape::box) return {"rotation"};
   return {};
 }
 
@@ -99,6 +104,43 @@ bool check_direction(const RegionAt& at, const char* key, const Vector& v, Findi
   return false;
 }
 
+/// The corners of a polygon.
+bool check_polygon(const Scene& s, const RegionAt& at, Findings& out) {
+  const Scene::Region& r = at.region;
+  if (r.points.empty() == r.file.empty()) {
+    out.error(r.points.empty() ? at.path : at.path + "file",
+              fmt::format("{0}.shape is \"polygon\", and {1} of {0}.points and {0}.file {2} set; "
+                          "set one of them",
+                          at.name, r.points.empty() ? "neither" : "both",
+                          r.points.empty() ? "is" : "are"));
+    return false;
+  }
+  std::shared_ptr<const LoadedMesh> loaded = r.loaded;
+  try {
+    if (!loaded) loaded = load_mesh(r, 0);
+  } catch (const Error& e) {
+    for (const Diagnostic& d : e.diagnostics())
+      if (d.place != r.file) out.list.push_back(d);
+      else if (r.file.empty())
+        out.error(at.path + "points", fmt::format("{}.points {}", at.name, d.message));
+      else
+        out.error(at.path + "file",
+                  fmt::format("{}.file is \"{}\": {}", at.name, r.file, d.message));
+    return false;
+  }
+  auto low = loaded->distance.low(), high = loaded->distance.high();
+  for (int k = 0; k < 2; ++k)
+    if (const auto j = std::size_t(k);
+        component(high, k) <= s.domain.min[j] || component(low, k) >= s.domain.max[j]) {
+      out.error(at.path + (r.file.empty() ? "points" : "file"),
+                fmt::format("the polygon, from [{:.4g}, {:.4g}] to [{:.4g}, {:.4g}], misses the "
+                            "domain; move it with {}.translation",
+                            low.x, low.y, high.x, high.y, at.name));
+      return false;
+    }
+  return true;
+}
+
 }  // namespace
 
 bool check_region(const Scene& s, const RegionAt& at, Findings& out) {
@@ -112,9 +154,17 @@ bool check_region(const Scene& s, const RegionAt& at, Findings& out) {
                                : ", where a disc is shape = \"sphere\"; choose that"));
     return false;
   }
+  if (s.dimension() == 3 && r.shape == Shape::polygon) {
+    out.error(at.path + "shape",
+              fmt::format("{}.shape is \"polygon\", and the scene is in 3D; choose another shape, "
+                          "such as a mesh",
+                          at.name));
+    return false;
+  }
   check_unused(at, out);
   if (!check_needed(at, out)) return false;
   if (r.shape == Shape::box) return check_box(at, out);
+  if (r.shape == Shape::polygon) return check_polygon(s, at, out);
   if (r.shape == Shape::cylinder) return check_direction(at, "axis", r.axis, out);
   if (r.shape == Shape::plane) return check_direction(at, "normal", r.normal, out);
   return r.shape != Shape::mesh || check_mesh(s, at, out);

@@ -87,6 +87,7 @@ void check_density_ratio(const Scene& s, Findings& out) {
 }  // namespace
 
 void check_stability(const Scene& s, double particles, Findings& out) {
+  if (!has_fluid(s)) return;
   if (s.is_article() || s.checks.when_wrong == WhenWrong::warn) return;
   check_fixed_step(s, out);
   check_softness(s, particles, out);

@@ -6,6 +6,7 @@
 #include "scene/check/names.h"
 #include "scene/keys/keys.h"
 #include "scene/model/setup.h"
+#include "scene/model/solid_of.h"
 
 namespace freshet {
 namespace {
@@ -86,6 +87,15 @@ bool check_method_of(const Scene& s, std::size_t k, const std::string& at, Findi
     out.error(key, fmt::format("wall.method is \"{}\", and points need \"akinci2012\"{} or "
                                "\"monaghan2009\"; choose one",
                                word_of(m), s.method().incompressible() ? "" : ", \"adami2012\""));
+  else if (is_mesh(w) && w.shape != Shape::mesh && !is_sampled(m))
+    out.error(key,
+              fmt::format("wall.method is \"{}\", and {} needs boundary particles; choose "
+                          "\"akinci2012\"{} or \"monaghan2009\"{}",
+                          word_of(m), w.shape == Shape::box ? "a turned box" : "a polygon",
+                          s.method().incompressible() ? "" : ", \"adami2012\"",
+                          s.method().has_boundary_particles()
+                              ? ""
+                              : fmt::format(", and another solver.name than {}", s.method().name)));
   else if (w.shape == Shape::mesh && m != WallMethod::akinci2012 && m != WallMethod::monaghan2009)
     out.error(key,
               fmt::format("wall.method is \"{}\", and meshes are sampled in one layer; choose "
@@ -148,7 +158,7 @@ bool check_wall(const Scene& s, std::size_t k, Findings& out) {
   if (w.shape == Shape::lattice) {
     out.error(at + "shape",
               "wall.shape is \"lattice\"; a wall must be a box, sphere, cylinder, plane, "
-              "mesh or points; choose one");
+              "mesh, polygon or points; choose one");
     return false;
   }
   const WallMethod m = s.wall_method(k);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "freshet/real.h"
+#include "mesh/triangle_mesh.h"
 #include "scene/check/check.h"
 #include "scene/sample/point_cloud.h"
 
@@ -70,6 +71,8 @@ bool check_region(const Scene& scene, const RegionAt& at, Findings& out);
 std::optional<PointCloud> check_points(const Scene& scene, const RegionAt& at, Findings& out);
 /// False if the mesh of a region's file is invalid, or unsuitable for the region.
 bool check_mesh(const Scene& scene, const RegionAt& at, Findings& out);
+/// The place and size of a hole, in words.
+std::string hole_words(const MeshHole& hole);
 /// The fluids whose places can be sampled, and the number of their places.
 struct FluidCount {
   std::vector<std::size_t> good;
@@ -85,6 +88,8 @@ void check_sides(const Scene& scene, Findings& out);
 bool check_flows(const Scene& scene, bool walls_are_good, Findings& out);
 /// False if a body is invalid, so that it cannot be sampled.
 bool check_bodies(const Scene& scene, Findings& out);
+/// False if the mass, the inertia or the locked axes of a free body are invalid.
+bool check_free(const Scene& scene, const Scene::Body& body, const std::string& at, Findings& out);
 /// False if a body is at a wrong place. Requires a count that check_count accepts.
 bool check_body_places(const Scene& scene, bool walls_are_good, Findings& out);
 

@@ -63,6 +63,7 @@ Speed fastest_in(const Scene& s) {
 }  // namespace
 
 std::vector<Diagnostic> pressure_warnings(const Scene& s, const Derived& d) {
+  if (!has_fluid(s)) return {};
   std::vector<Diagnostic> list;
   const auto warn = [&](const std::string& key, std::string message) {
     list.push_back({Diagnostic::Severity::warning, place_of(s, key), std::move(message)});

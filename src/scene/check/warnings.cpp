@@ -118,11 +118,24 @@ class Warnings {
     if (!found.empty())
       warn(key, fmt::format("{} has defects, repaired where possible: {}", region.file,
                             fmt::join(found, ", ")));
+    filled_holes(key, region.file, c);
     if (!c.closed())
-      warn(key,
-           fmt::format("{} has holes ({} open edges, the first near [{:.4g}, {:.4g}, {:.4g}]): "
-                       "it is a sheet without an inside, sampled on its surface",
-                       region.file, c.open, c.open_at.x, c.open_at.y, c.open_at.z));
+      warn(key, fmt::format("{} is not closed, {}: it is a sheet without an inside, sampled on its "
+                            "surface",
+                            region.file, hole_words(c.widest_open())));
+  }
+  void filled_holes(const std::string& key, const std::string& file, const MeshCondition& c) {
+    constexpr std::size_t shown = 3;
+    std::vector<std::string> holes;
+    for (const MeshHole& hole : c.holes)
+      if (hole.filled) holes.push_back(hole_words(hole));
+    if (holes.empty()) return;
+    const std::size_t count = holes.size();
+    holes.resize(std::min(count, shown));
+    warn(key, fmt::format("{} had {} hole{} narrower than the spacing, filled with flat triangles: "
+                          "{}{}",
+                          file, count, count == 1 ? "" : "s", fmt::join(holes, "; "),
+                          count > shown ? fmt::format("; and {} more", count - shown) : ""));
   }
   void inlets() {
     for (std::size_t k = 0; k < s_.inlet.size(); ++k) {
@@ -161,7 +174,7 @@ class Warnings {
     }
   }
   void step() {
-    if (!s_.time.adaptive && s_.time.step > d_.step_bound())
+    if (has_fluid(s_) && !s_.time.adaptive && s_.time.step > d_.step_bound())
       warn("time.step",
            fmt::format("the time step {:.4g} s is over its bound, {:.4g} s ({}); the run may "
                        "blow up",
@@ -197,6 +210,7 @@ class Warnings {
   /// Warns if a hundredth of the flow's speed moves no particle, because a step is less than the
   /// rounding of a position.
   void rounding() {
+    if (!has_fluid(s_)) return;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double dt = s_.time.adaptive
                           ? std::min(s_.time.step_max.value_or(infinity), d_.step_bound())

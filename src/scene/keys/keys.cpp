@@ -41,29 +41,40 @@ void region_keys(KeyVisitor& v, Scene::Region& r, Words shapes, const KeyDoc& sh
 void file_keys(KeyVisitor& v, Scene::Region& r) {
   v.text("file", r.file,
          {.unit = "",
-          .text = "file of points (`*.csv`, `*.ply`, `*.vtk`, `*.vtp`, `*.vtu`, `*.xyz`, `*.bgeo`, "
-                  "`*.bhclassic`) or of a mesh (`*.stl`, `*.obj`, `*.ply`), relative to the scene",
+          .text = "file of points or of the corners of a polygon (`*.csv`, `*.ply`, `*.vtk`, "
+                  "`*.vtp`, `*.vtu`, `*.xyz`, `*.bgeo`, `*.bhclassic`), or of a mesh (`*.stl`, "
+                  "`*.obj`, `*.ply`), relative to the scene",
           .fallback = "none"});
+  v.vectors("points", r.points,
+            {.unit = "m",
+             .text = "corners of a polygon in order, `[[x, y], [x, y], ...]`, if they are not in "
+                     "`file`",
+             .fallback = "none"});
   v.number("scale", r.scale,
            {.unit = "m",
-            .text = "length of one unit of a mesh file: 0.001 for millimetres",
+            .text = "length of one unit of a mesh or polygon: 0.001 for millimetres",
             .min = 0,
             .above = true});
-  v.vector("rotation", r.rotation,
-           {.unit = "°",
-            .text = "rotation of a mesh about x, then y, then z, after scaling; [-90, 0, 0] turns "
-                    "z upwards into y upwards",
-            .fallback = "none"});
+  static constexpr std::size_t about_axes[] = {3};
+  v.components("rotation", r.rotation, about_axes,
+               {.unit = "°",
+                .text = "rotation of a box about its centre, or of a mesh or polygon about the "
+                        "origin, after scaling: in 2D a number, counterclockwise; in 3D about x, "
+                        "then y, then z; [-90, 0, 0] turns z upwards into y upwards",
+                .fallback = "none"});
   v.vector("translation", r.translation,
-           {.unit = "m", .text = "translation of a mesh, after rotation", .fallback = "none"});
+           {.unit = "m",
+            .text = "translation of a mesh or polygon, after rotation",
+            .fallback = "none"});
 }
 
 namespace {
 
 void fluid_keys(KeyVisitor& v, Scene::Fluid& f) {
-  region_keys(v, f, shape_words,
-              {.unit = "", .text = "shape of the fluid; `cylinder` and `mesh` in 3D only"},
-              {.unit = "", .text = "`inside` of the shape, or the domain `outside` of it"});
+  region_keys(
+      v, f, shape_words,
+      {.unit = "", .text = "shape of the fluid; `cylinder` and `mesh` in 3D only, `polygon` in 2D"},
+      {.unit = "", .text = "`inside` of the shape, or the domain `outside` of it"});
   file_keys(v, f);
   v.vector("from", f.from,
            {.unit = "m", .text = "first particle of a lattice", .fallback = "none"});
@@ -118,9 +129,10 @@ void wall_keys(KeyVisitor& v, Scene::Wall& w) {
   v.text("name", w.name,
          {.unit = "", .text = "name of its forces in tables and reports", .fallback = "wall[k]"});
   region_keys(
-      v, w, Words(shape_words).first(6),
+      v, w, Words(shape_words).first(7),
       {.unit = "",
-       .text = "shape of the wall; a `sphere` is a disc in 2D; `cylinder` and `mesh` in 3D only"},
+       .text = "shape of the wall; a `sphere` is a disc in 2D; `cylinder` and `mesh` in 3D only, "
+               "`polygon` in 2D"},
       {.unit = "", .text = "side of the fluid: `outside` of an obstacle, `inside` of a tank"});
   file_keys(v, w);
   v.choice("method", w.method, method_words,

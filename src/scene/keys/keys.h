@@ -27,7 +27,7 @@ using Words = std::span<const char* const>;
 inline constexpr const char* axes_words[] = {"none", "x", "y", "xy", "z", "xz", "yz", "xyz"};
 // Only a fluid has the last one, a lattice.
 inline constexpr const char* shape_words[] = {"box",    "sphere", "cylinder", "plane",
-                                              "points", "mesh",   "lattice"};
+                                              "points", "mesh",   "polygon",  "lattice"};
 inline constexpr const char* side_words[] = {"inside", "outside"};
 inline constexpr const char* outside_words[] = {"error", "clamp"};
 inline constexpr const char* pressure_words[] = {"zero", "hydrostatic"};
@@ -55,6 +55,8 @@ inline constexpr const char* color_scale_words[] = {"run", "picture"};
 inline constexpr const char* color_map_words[] = {"article", "water", "viridis", "inferno",
                                                   "coolwarm"};
 inline constexpr const char* motion_words[] = {"fixed", "moved", "free"};
+inline constexpr const char* freedom_words[] = {"x",          "y",          "z",
+                                                "rotation_x", "rotation_y", "rotation_z"};
 inline constexpr const char* interpolation_words[] = {"smooth", "linear"};
 inline constexpr const char* integrator_words[] = {"symplectic_euler", "leapfrog", "verlet"};
 
@@ -81,6 +83,11 @@ class KeyVisitor {
   /// `count` numbers, in 2D and 3D; `value` is empty if the key is not set.
   virtual void numbers(std::string_view name, Vector& value, std::size_t count,
                        const KeyDoc& doc) = 0;
+  /// One number in 2D, one of `counts` in 3D; `value` is empty if the key is not set.
+  virtual void components(std::string_view name, Vector& value, std::span<const std::size_t> counts,
+                          const KeyDoc& doc) = 0;
+  /// A list of vectors; `value` is empty if the key is not set.
+  virtual void vectors(std::string_view name, std::vector<Vector>& value, const KeyDoc& doc) = 0;
   virtual void boolean(std::string_view name, bool& value, const KeyDoc& doc) = 0;
   virtual void counts(std::string_view name, Counts& value, const KeyDoc& doc) = 0;
   /// A number, or `word`, which sets `is_word`.

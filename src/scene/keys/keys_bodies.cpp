@@ -46,10 +46,25 @@ void free_keys(KeyVisitor& v, Scene::Body& b) {
             .fallback = "none"});
   v.number("mass", b.mass,
            {.unit = "kg; kg/m in 2D",
-            .text = "mass of a `free` body, evenly distributed; set it or `density`",
+            .text = "mass of a `free` body; set it or `density`",
             .min = 0,
             .above = true,
             .fallback = "none"});
+  v.vector("center_of_mass", b.center_of_mass,
+           {.unit = "m",
+            .text = "centre of mass of a `free` body at the start; needs `inertia`",
+            .fallback = "of an even density"});
+  static constexpr std::size_t diagonal_or_full[] = {3, 6};
+  v.components("inertia", b.inertia, diagonal_or_full,
+               {.unit = "kg m²; kg m in 2D",
+                .text = "moment of inertia of a `free` body about its centre of mass: in 2D a "
+                        "number; in 3D `[xx, yy, zz]` or `[xx, yy, zz, xy, xz, yz]`, the elements "
+                        "of the tensor along the axes of space at the start",
+                .fallback = "of an even density"});
+  v.choices("lock", b.lock, freedom_words,
+            {.unit = "",
+             .text = "coordinates of the centre of mass and rotations about the axes of space that "
+                     "a `free` body keeps; in 2D `x`, `y` and `rotation_z`"});
   v.vector("velocity", b.velocity,
            {.unit = "m/s", .text = "initial velocity of a `free` body", .fallback = "at rest"});
   v.number(
@@ -106,11 +121,14 @@ void body_keys(KeyVisitor& v, Scene& s) {
       s.body, [&](Scene::Body& b) {
         v.text("name", b.name,
                {.unit = "", .text = "name in joints and tables", .fallback = "body[k]"});
-        region_keys(v, b, Words(shape_words).first(6),
-                    {.unit = "",
-                     .text = "shape and place at the start: `box`, `sphere` (in 2D a disc), "
-                             "`cylinder` (3D) or the `mesh` of a file (3D)"},
-                    {.unit = "", .text = "side of the fluid: `outside`"});
+        region_keys(
+            v, b, Words(shape_words).first(7),
+            {.unit = "",
+             .text = "shape and place at the start: `box`, `sphere` (in 2D a disc), "
+                     "`cylinder` (3D), `polygon` (2D) or the `mesh` of a file (3D)"},
+            {.unit = "",
+             .text = "side of the fluid: `outside` of an obstacle, `inside` of a tank, which "
+                     "is `fixed` or `moved`"});
         file_keys(v, b);
         v.choice("motion", b.motion, motion_words,
                  {.unit = "",

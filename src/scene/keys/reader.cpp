@@ -8,85 +8,15 @@
 #include <cmath>
 
 #include "freshet/suggest.h"
+#include "scene/keys/value_words.h"
 
 namespace freshet {
 namespace {
-
-constexpr double largest = 1e15, smallest = 1e-30;  // in SI units; 32-bit numbers hold both
-constexpr double largest_whole = 9e15;              // a double holds it exactly
-
-/// A name or a string for messages: one line, no control characters, at most 40 bytes.
-std::string printable(std::string_view words) {
-  constexpr std::size_t longest = 40;
-  std::size_t end = std::min(words.size(), longest);
-  while (end < words.size() && end > 0 && (words[end] & 0xC0) == 0x80) --end;  // no cut in UTF-8
-  std::string text(words.substr(0, end));
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, '?');
-  return text + (end < words.size() ? "..." : "");
-}
-
-std::string found(const toml::node& node) {
-  if (const auto* s = node.as_string())
-    return fmt::format("the string \"{}\"", printable(s->get()));
-  if (const auto* i = node.as_integer()) return fmt::format("{}", i->get());
-  if (const auto* f = node.as_floating_point()) return fmt::format("{}", f->get());
-  if (const auto* b = node.as_boolean()) return b->get() ? "true" : "false";
-  if (const auto* a = node.as_array())
-    return a->empty() ? "an empty array"
-                      : fmt::format("an array of {} value{}", a->size(), a->size() == 1 ? "" : "s");
-  return node.is_table() ? "a table" : "a date or time";
-}
-
-/// NaN if the node is not a number.
-double number_of(const toml::node& node) {
-  if (const auto* i = node.as_integer()) return double(i->get());
-  const auto* f = node.as_floating_point();
-  return f ? f->get() : NAN;
-}
-
-struct Range {
-  double low, high;
-  Range(const KeyDoc& doc, bool whole) {
-    const double most = whole ? largest_whole : largest;
-    low = doc.above ? doc.min + smallest : std::max(doc.min, -most);
-    high = std::min(doc.max, most);
-  }
-};
-
-/// The allowed values of a key. The limits of all keys are named only for values beyond them.
-std::string limits(const toml::node& node, const KeyDoc& doc, bool whole) {
-  const Range range(doc, whole);
-  const double value = number_of(node);
-  std::string text = whole ? "a whole number" : "a number";
-  const bool tiny = doc.above && value > doc.min && value < range.low;
-  const bool low = std::isfinite(doc.min) || value < range.low;
-  if (doc.above && !tiny) text += fmt::format(" > {:.10g}", doc.min);
-  else if (low) text += fmt::format(" >= {:.10g}", range.low);
-  if (std::isfinite(doc.max) || value > range.high)
-    text += fmt::format("{} <= {:.10g}", low ? " and" : "", range.high);
-  return text + (doc.unit.empty() ? "" : fmt::format(" ({})", doc.unit));
-}
 
 /// The size of domain.max; 0 if it is not a vector.
 std::size_t dimension_of(const toml::table& root) {
   const toml::array* max = root["domain"]["max"].as_array();
   return max && (max->size() == 2 || max->size() == 3) ? max->size() : 0;
-}
-
-/// The allowed values of a vector.
-std::string vector_words(std::size_t dimension, const char* numbers) {
-  if (dimension == 0) return fmt::format("2 or 3 {}, [x, y] or [x, y, z]", numbers);
-  return fmt::format("{} {}, {}, like domain.max", dimension, numbers,
-                     dimension == 2 ? "[x, y]" : "[x, y, z]");
-}
-
-/// "a", "b" or "c"
-std::string one_of(Words words) {
-  std::string list;
-  for (std::size_t k = 0; k < words.size(); ++k)
-    list += fmt::format("{}\"{}\"", k == 0 ? "" : k + 1 == words.size() ? " or " : ", ", words[k]);
-  return list;
 }
 
 }  // namespace
@@ -270,11 +200,16 @@ Vector SceneReader::read_array(std::string_view name, const KeyDoc& doc, bool wh
            fmt::format("{}{} is {}; it must be {}", scope_.name, name, found(*node), words));
     return {};
   }
+  return read_elements(name, *a, doc, whole);
+}
+
+Vector SceneReader::read_elements(std::string_view name, const toml::array& array,
+                                  const KeyDoc& doc, bool whole) {
   Vector read;
-  for (std::size_t k = 0; k < a->size(); ++k)
-    if (const auto v = in_range(fmt::format("{}[{}]", name, k), *a->get(k), doc, whole))
+  for (std::size_t k = 0; k < array.size(); ++k)
+    if (const auto v = in_range(fmt::format("{}[{}]", name, k), *array.get(k), doc, whole))
       read.push_back(*v);
-  return read.size() == a->size() ? read : Vector();
+  return read.size() == array.size() ? read : Vector();
 }
 
 void SceneReader::vector(std::string_view name, Vector& value, const KeyDoc& doc) {
@@ -284,6 +219,54 @@ void SceneReader::vector(std::string_view name, Vector& value, const KeyDoc& doc
 void SceneReader::numbers(std::string_view name, Vector& value, std::size_t count,
                           const KeyDoc& doc) {
   if (Vector read = read_array(name, doc, false, count); !read.empty()) value = std::move(read);
+}
+
+void SceneReader::components(std::string_view name, Vector& value,
+                             std::span<const std::size_t> counts, const KeyDoc& doc) {
+  const toml::node* node = take(name, doc);
+  if (!node) return;
+  const toml::array* list = node->as_array();
+  const bool number = node->is_number() && dimension_ != 3;
+  const bool fits = list && dimension_ != 2 &&
+                    std::find(counts.begin(), counts.end(), list->size()) != counts.end();
+  Vector read;
+  if (number) {
+    if (const auto v = in_range(std::string(name), *node, doc, false)) read = {*v};
+  } else if (fits) {
+    read = read_elements(name, *list, doc, false);
+  } else {
+    const std::string in_3d =
+        fmt::format("{} numbers in brackets in 3D", fmt::join(counts, " or "));
+    reject(node->source(), fmt::format("{}{}", scope_.path, name),
+           fmt::format("{}{} is {}; it must be {}", scope_.name, name, found(*node),
+                       dimension_ == 2   ? "a number in 2D"
+                       : dimension_ == 3 ? in_3d
+                                         : "a number in 2D, " + in_3d));
+  }
+  if (!read.empty()) value = std::move(read);
+}
+
+void SceneReader::vectors(std::string_view name, std::vector<Vector>& value, const KeyDoc& doc) {
+  const toml::node* node = take(name, doc);
+  if (!node) return;
+  const toml::array* list = node->as_array();
+  if (!list || list->empty())
+    return reject(node->source(), fmt::format("{}{}", scope_.path, name),
+                  fmt::format("{}{} is {}; it must be a list of points, [[x, y], [x, y], ...]",
+                              scope_.name, name, found(*node)));
+  std::vector<Vector> read;
+  for (std::size_t k = 0; k < list->size(); ++k) {
+    const toml::node& element = *list->get(k);
+    const std::string path = fmt::format("{}[{}]", name, k);
+    const toml::array* point = element.as_array();
+    if (!point || point->size() != (dimension_ ? dimension_ : 2))
+      return reject(element.source(), scope_.path + path,
+                    fmt::format("{}{} is {}; it must be {}", scope_.name, path, found(element),
+                                vector_words(dimension_, "numbers")));
+    read.push_back(read_elements(path, *point, doc, false));
+    if (read.back().empty()) return;
+  }
+  value = std::move(read);
 }
 
 void SceneReader::boolean(std::string_view name, bool& value, const KeyDoc& doc) {

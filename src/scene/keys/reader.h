@@ -40,6 +40,9 @@ class SceneReader final : public KeyVisitor {
                const KeyDoc& doc) override;
   void vector(std::string_view name, Vector& value, const KeyDoc& doc) override;
   void numbers(std::string_view name, Vector& value, std::size_t count, const KeyDoc& doc) override;
+  void components(std::string_view name, Vector& value, std::span<const std::size_t> counts,
+                  const KeyDoc& doc) override;
+  void vectors(std::string_view name, std::vector<Vector>& value, const KeyDoc& doc) override;
   void boolean(std::string_view name, bool& value, const KeyDoc& doc) override;
   void counts(std::string_view name, Counts& value, const KeyDoc& doc) override;
   void number_or_word(std::string_view name, double& value, bool& is_word, const char* word,
@@ -65,6 +68,9 @@ class SceneReader final : public KeyVisitor {
                                  bool whole);
   /// Reads `count` numbers, or one per axis of the domain if `count` is 0.
   Vector read_array(std::string_view name, const KeyDoc& doc, bool whole, std::size_t count = 0);
+  /// The numbers of an array, if the key allows all of them; otherwise errors and nothing.
+  Vector read_elements(std::string_view name, const toml::array& array, const KeyDoc& doc,
+                       bool whole);
   /// The index of the node's word in `words`; -1, and an error, for anything else.
   int read_word(const std::string& name, const toml::node& node, Words words);
   void report_unknown();

@@ -16,16 +16,6 @@ using Point = TriangleMesh::Point;
 
 constexpr int around = 64;  // corners of a circle
 
-TriangleMesh box(const Scene::Body& b) {
-  TriangleMesh m;
-  for (int k = 0; k < 8; ++k)
-    m.points.push_back(
-        {k & 1 ? b.max[0] : b.min[0], k & 2 ? b.max[1] : b.min[1], k & 4 ? b.max[2] : b.min[2]});
-  m.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                 {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  return m;
-}
-
 /// A surface of revolution: rings of `around` points about an axis, from its lower to its upper
 /// end. Each ring is a distance along the axis and a radius, which is 0 at both ends.
 TriangleMesh turned(Point center, Point axis, const std::vector<Vec<2, double>>& rings) {
@@ -53,8 +43,8 @@ TriangleMesh turned(Point center, Point axis, const std::vector<Vec<2, double>>&
 }  // namespace
 
 TriangleMesh body_mesh(const Scene::Body& b) {
-  if (b.shape == Shape::mesh) return b.loaded->distance.mesh();
-  if (b.shape == Shape::box) return box(b);
+  if (is_mesh(b)) return b.loaded->distance.mesh();
+  if (b.shape == Shape::box) return triangles_of_box(vec_of<3>(b.min), vec_of<3>(b.max));
   std::vector<Vec<2, double>> rings;
   if (b.shape == Shape::cylinder)
     rings = {
@@ -67,6 +57,19 @@ TriangleMesh body_mesh(const Scene::Body& b) {
     }
   return turned(vec_of<3>(b.center),
                 b.shape == Shape::cylinder ? unit_of<3>(b.axis) : Point{0, 1, 0}, rings);
+}
+
+TriangleMesh collision_mesh(const Scene::Body& b) {
+  if (is_mesh(b)) return b.loaded->distance.mesh();
+  if (b.shape == Shape::box && b.min.size() == 2) return prism_of(outline_of(b));
+  if (b.shape != Shape::sphere || b.center.size() == 3) return body_mesh(b);
+  Outline circle;
+  for (int k = 0; k < around; ++k) {
+    const double angle = 2 * std::numbers::pi * k / around;
+    circle.push_back(
+        {b.center[0] + b.radius * std::cos(angle), b.center[1] + b.radius * std::sin(angle)});
+  }
+  return prism_of(circle);
 }
 
 std::string encode_obj(const TriangleMesh& mesh, Point origin, const std::string& name) {

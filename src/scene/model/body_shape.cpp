@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "scene/model/loaded_mesh.h"
+#include "scene/model/region_rotation.h"
 #include "scene/model/solid_of.h"
 
 namespace freshet {
@@ -95,6 +96,68 @@ BodyShape mesh(const TriangleMesh& m) {
   return b;
 }
 
+/// Sums over the triangles that the sides form with one corner.
+BodyShape polygon(const Outline& x) {
+  BodyShape b;
+  Point first{};
+  double second[3][3] = {};
+  for (std::size_t k = 1; k + 1 < x.size(); ++k) {
+    const auto p = x[k] - x[0], q = x[k + 1] - x[0], sum = p + q;
+    const double area = (p.x * q.y - p.y * q.x) / 2;
+    b.volume += area;
+    first += area / 3 * Point{sum.x, sum.y, 0};
+    second[0][0] += area / 12 * (p.x * p.x + q.x * q.x + sum.x * sum.x);
+    second[1][1] += area / 12 * (p.y * p.y + q.y * q.y + sum.y * sum.y);
+  }
+  const Point c = first / b.volume;
+  second[0][0] -= b.volume * c.x * c.x;
+  second[1][1] -= b.volume * c.y * c.y;
+  b.center = Point{x[0].x, x[0].y, 0} + c;
+  for (const auto& p : x) b.reach = std::max(b.reach, norm(Point{p.x, p.y, 0} - b.center));
+  set_inertia(b, second);  // zz needs xx and yy only
+  return b;
+}
+
+/// A box that is turned about its centre.
+BodyShape turned_box(const Scene::Body& r) {
+  BodyShape b = box(r);
+  if (r.min.size() == 2) return b;
+  const RegionRotation turned(r.rotation);
+  const double diagonal[] = {b.inertia[0][0], b.inertia[1][1], b.inertia[2][2]};
+  Point axes[] = {turned(Point{1, 0, 0}), turned(Point{0, 1, 0}), turned(Point{0, 0, 1})};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      b.inertia[i][j] = 0;
+      for (int k = 0; k < 3; ++k)
+        b.inertia[i][j] += diagonal[k] * component(axes[k], i) * component(axes[k], j);
+    }
+  return b;
+}
+
+BodyShape of_even_density(const Scene::Body& r) {
+  if (r.shape == Shape::sphere) return ball(r);
+  if (r.shape == Shape::cylinder) return cylinder(r);
+  if (r.shape == Shape::mesh) return mesh(r.loaded->distance.mesh());
+  if (r.shape == Shape::polygon) return polygon(r.loaded->outline);
+  return is_turned_box(r) ? turned_box(r) : box(r);
+}
+
+/// The tensor of the key `inertia`.
+void set_inertia(BodyShape& b, const Vector& inertia) {
+  auto& i = b.inertia;
+  if (inertia.size() == 1) {
+    i[2][2] = inertia[0] / b.density();
+    return;
+  }
+  for (std::size_t k = 0; k < 3; ++k) i[k][k] = inertia[k] / b.density();
+  const auto beside = [&](std::size_t k) {
+    return inertia.size() == 6 ? inertia[k] / b.density() : 0.0;
+  };
+  i[0][1] = i[1][0] = beside(3);
+  i[0][2] = i[2][0] = beside(4);
+  i[1][2] = i[2][1] = beside(5);
+}
+
 }  // namespace
 
 bool moves_free_bodies() {
@@ -106,10 +169,23 @@ bool moves_free_bodies() {
 }
 
 BodyShape body_shape(const Scene::Body& r) {
-  if (r.shape == Shape::sphere) return ball(r);
-  if (r.shape == Shape::cylinder) return cylinder(r);
-  if (r.shape == Shape::mesh) return mesh(r.loaded->distance.mesh());
-  return box(r);
+  BodyShape b = of_even_density(r);
+  b.middle = b.center;
+  b.extent = 2 * b.reach;
+  b.mass = r.mass.value_or(r.density.value_or(0) * b.volume);
+  if (!r.inertia.empty()) set_inertia(b, r.inertia);
+  if (r.center_of_mass.empty()) return b;
+  b.center = point_of(r.center_of_mass);
+  b.reach += norm(b.center - b.middle);
+  return b;
+}
+
+std::array<bool, 6> freedoms_of(const Scene::Body& body, int dimension) {
+  std::array<bool, 6> free{};
+  for (std::size_t k = 0; k < 6; ++k)
+    free[k] = (dimension == 3 || k < 2 || k == 5) &&
+              std::find(body.lock.begin(), body.lock.end(), Freedom(k)) == body.lock.end();
+  return free;
 }
 
 }  // namespace freshet

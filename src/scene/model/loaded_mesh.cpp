@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scene/model/loaded_mesh.h"
 
-#include <cmath>
-#include <numbers>
+#include <algorithm>
 
+#include "scene/model/region_rotation.h"
 #include "scene/model/solid_of.h"
 
 namespace freshet {
@@ -11,55 +11,77 @@ namespace {
 
 using Point = TriangleMesh::Point;
 
-/// A rotation about x, then y, then z.
-class Rotation {
- public:
-  explicit Rotation(const Vector& degrees) {
-    for (std::size_t k = 0; k < degrees.size(); ++k) {
-      const double angle = degrees[k] * std::numbers::pi / 180;
-      cos_[k] = std::cos(angle);
-      sin_[k] = std::sin(angle);
-    }
-  }
-  Point operator()(Point p) const {
-    p = {p.x, cos_[0] * p.y - sin_[0] * p.z, sin_[0] * p.y + cos_[0] * p.z};
-    p = {cos_[1] * p.x + sin_[1] * p.z, p.y, cos_[1] * p.z - sin_[1] * p.x};
-    return {cos_[2] * p.x - sin_[2] * p.y, sin_[2] * p.x + cos_[2] * p.y, p.z};
-  }
+MeshSource source_of(const Scene::Region& r, double fill_below) {
+  return {r.shape, r.file, r.points, r.scale, r.min, r.max, r.rotation, r.translation, fill_below};
+}
 
- private:
-  double cos_[3] = {1, 1, 1}, sin_[3] = {0, 0, 0};
-};
+TriangleMesh mesh_of_file(const Scene::Region& r) {
+  TriangleMesh mesh = read_mesh(r.file);
+  const RegionRotation turned(r.rotation);
+  const Point translation = r.translation.empty() ? Point{} : vec_of<3>(r.translation);
+  for (Point& x : mesh.points) x = turned(r.scale * x) + translation;
+  return mesh;
+}
+
+TriangleMesh triangles_of_turned_box(const Scene::Region& r) {
+  const auto box = solid_of<3>(r);
+  const RegionRotation turned(r.rotation);
+  TriangleMesh mesh = triangles_of_box(box.center - box.half, box.center + box.half);
+  for (Point& x : mesh.points) x = box.center + turned(x - box.center);
+  return mesh;
+}
+
+/// Whether the vectors of a region have the sizes that loading needs.
+bool has_sizes(const Scene::Region& r, std::size_t n) {
+  const std::size_t angles = n == 2 ? 1 : 3;
+  if (!r.rotation.empty() && r.rotation.size() != angles) return false;
+  if (!r.translation.empty() && r.translation.size() != n) return false;
+  if (r.shape == Shape::mesh) return n == 3 && !r.file.empty();
+  if (r.shape == Shape::polygon)
+    return n == 2 && r.points.empty() != r.file.empty() &&
+           std::all_of(r.points.begin(), r.points.end(),
+                       [](const Vector& p) { return p.size() == 2; });
+  return r.min.size() == n && r.max.size() == n;
+}
 
 }  // namespace
 
-std::shared_ptr<const LoadedMesh> load_mesh(const Scene::Region& r) {
-  TriangleMesh mesh = read_mesh(r.file);
-  const Rotation turned(r.rotation);
-  const Point translation = r.translation.empty() ? Point{} : vec_of<3>(r.translation);
-  for (Point& x : mesh.points) x = turned(r.scale * x) + translation;
-  const MeshCondition condition = mend_mesh(mesh);
-  if (mesh.triangles.empty())
-    throw Error(
-        Error::Kind::scene, r.file,
-        "every triangle in it is degenerate: two of its corners coincide; export the mesh again");
-  return std::make_shared<LoadedMesh>(LoadedMesh{r.file, r.scale, r.rotation, r.translation,
-                                                 condition, MeshDistance(std::move(mesh))});
+std::shared_ptr<const LoadedMesh> load_mesh(const Scene::Region& r, double fill_below) {
+  Outline outline;
+  TriangleMesh mesh;
+  MeshCondition condition;
+  if (r.shape == Shape::mesh) {
+    mesh = mesh_of_file(r);
+    condition = mend_mesh(mesh, fill_below);
+    if (mesh.triangles.empty())
+      throw Error(Error::Kind::scene, r.file,
+                  "every triangle in it is degenerate: two of its corners coincide; export the "
+                  "mesh again");
+  } else if (r.shape == Shape::box && r.min.size() == 3) {
+    mesh = triangles_of_turned_box(r);
+  } else {
+    outline = outline_of(r);
+    if (const auto fault = fault_in(outline)) throw Error(Error::Kind::scene, r.file, *fault);
+    mesh = prism_of(outline);
+  }
+  return std::make_shared<LoadedMesh>(LoadedMesh{
+      source_of(r, fill_below), condition, MeshDistance(std::move(mesh)), std::move(outline)});
 }
 
-void remember_mesh(Scene::Region& r) {
-  if (r.shape != Shape::mesh || r.file.empty()) return;
-  for (const Vector* v : {&r.rotation, &r.translation})
-    if (!v->empty() && v->size() != 3) return;
-  const LoadedMesh* is = r.loaded.get();
-  if (is && is->file == r.file && is->scale == r.scale && is->rotation == r.rotation &&
-      is->translation == r.translation)
-    return;
+void remember_mesh(Scene::Region& r, std::size_t dimension, double fill_below) {
+  if (!is_mesh(r) || !has_sizes(r, dimension)) return;
+  if (r.loaded && r.loaded->source == source_of(r, fill_below)) return;
   r.loaded = nullptr;
   try {
-    r.loaded = load_mesh(r);
+    r.loaded = load_mesh(r, fill_below);
   } catch (const Error&) {
   }
+}
+
+Vec<3, double> sides_of(const LoadedMesh& mesh) {
+  Vec<3, double> sides = mesh.distance.high() - mesh.distance.low();
+  if (!mesh.outline.empty()) sides.z = 0;
+  return sides;
 }
 
 }  // namespace freshet

@@ -4,23 +4,38 @@
 
 #include "freshet/scene.h"
 #include "mesh/mesh_distance.h"
+#include "scene/model/outline.h"
 
 namespace freshet {
 
-/// The mesh of a region: read, scaled, rotated, translated and repaired.
-struct LoadedMesh {
+/// What the surface of a region depends on.
+struct MeshSource {
+  Shape shape;
   std::string file;
+  std::vector<Vector> points;
   double scale;
-  Vector rotation, translation;
-  MeshCondition condition;
-  MeshDistance distance;
+  Vector min, max, rotation, translation;
+  double fill_below;  ///< holes narrower than this are filled [m]
+  bool operator==(const MeshSource&) const = default;
 };
 
-/// Reads the file; throws Error (kind scene) at FILE.
-std::shared_ptr<const LoadedMesh> load_mesh(const Scene::Region& region);
+/// The surface of a region as triangles: a mesh read, scaled, rotated, translated and repaired, or
+/// a turned box. In 2D, the outline of a polygon or of a turned box, and the prism over it.
+struct LoadedMesh {
+  MeshSource source;
+  MeshCondition condition;
+  MeshDistance distance;
+  Outline outline;
+};
 
-/// Loads the mesh of a region into region.loaded if it is not loaded yet. Leaves it empty if the
-/// mesh cannot be read, which check_mesh reports.
-void remember_mesh(Scene::Region& region);
+/// Throws Error (kind scene) at FILE.
+std::shared_ptr<const LoadedMesh> load_mesh(const Scene::Region& region, double fill_below);
+
+/// Loads the surface of a region into region.loaded if it is not loaded yet. Leaves it empty if
+/// that fails, which check_mesh reports.
+void remember_mesh(Scene::Region& region, std::size_t dimension, double fill_below);
+
+/// The sides of the box around a loaded surface [m]; z is 0 in 2D.
+Vec<3, double> sides_of(const LoadedMesh& mesh);
 
 }  // namespace freshet

@@ -35,6 +35,8 @@ std::vector<Scene::Liquid> Scene::liquids() const {
   };
   for (const Fluid& f : fluid) add({f.rest_density, f.viscosity, f.color});
   for (std::size_t k = 0; k < inlet.size(); ++k) add(inlet_liquid(k));
+  const Fluid none;
+  if (all.empty()) add({none.rest_density, none.viscosity, none.color});
   return all;
 }
 
@@ -154,10 +156,11 @@ Scene with_defaults(Scene s) {
   if (n == 3) {
     for (Scene::Inlet& in : s.inlet) turn_up(in);
     for (Scene::Counter& c : s.counter) turn_up(c);
-    for (Scene::Fluid& f : s.fluid) remember_mesh(f);
-    for (Scene::Wall& w : s.wall) remember_mesh(w);
-    for (Scene::Body& b : s.body) remember_mesh(b);
   }
+  for (Scene::Fluid& f : s.fluid) remember_mesh(f, n, s.particles.spacing);
+  for (Scene::Wall& w : s.wall)  // a sheet keeps its holes
+    remember_mesh(w, n, w.side == Side::inside ? s.particles.spacing : 0);
+  for (Scene::Body& b : s.body) remember_mesh(b, n, s.particles.spacing);
   return s;
 }
 

@@ -10,6 +10,9 @@ namespace freshet {
 /// code must pass through here before its vectors are read.
 Scene with_defaults(Scene scene);
 
+/// Whether a scene has fluid at the start or from an inlet. Others have bodies alone.
+inline bool has_fluid(const Scene& s) { return !s.fluid.empty() || !s.inlet.empty(); }
+
 /// The lattice that a fluid starts on: `count` particles `spacing` apart, the first at `from`.
 /// Other shapes than a box or a lattice have the lattice of the box around them. Empty for points.
 struct Lattice {

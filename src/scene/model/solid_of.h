@@ -23,10 +23,21 @@ template <int D> Vec<D, double> unit_of(const Vector& a) {
   return v / most / norm(v / most);
 }
 
-/// Whether the surface of a region of this shape has a formula.
-inline bool is_solid(Shape shape) { return shape != Shape::points && shape != Shape::mesh; }
+/// Whether a region is a box that is not parallel to the axes.
+inline bool is_turned_box(const Scene::Region& r) {
+  return r.shape == Shape::box && std::any_of(r.rotation.begin(), r.rotation.end(),
+                                              [](double degrees) { return degrees != 0; });
+}
+/// Whether the surface of a region is Region::loaded: triangles of a file, the outline of a polygon
+/// or a turned box.
+inline bool is_mesh(const Scene::Region& r) {
+  return r.shape == Shape::mesh || r.shape == Shape::polygon || is_turned_box(r);
+}
+/// Whether the surface of a region has a formula.
+inline bool is_solid(const Scene::Region& r) { return r.shape != Shape::points && !is_mesh(r); }
 
-/// The surface of a box, sphere, cylinder or plane of a scene with its defaults filled in.
+/// The surface of a box, sphere, cylinder or plane of a scene with its defaults filled in. A box is
+/// not turned.
 template <int D, class R = double> Solid<D, R> solid_of(const Scene::Region& r) {
   Solid<D, R> solid;
   solid.fluid_inside = r.side == Side::inside;
@@ -50,6 +61,7 @@ template <int D, class R = double> Solid<D, R> solid_of(const Scene::Region& r) 
     case Shape::lattice:
     case Shape::points:
     case Shape::mesh:
+    case Shape::polygon:
       for (int k = 0; k < D; ++k) {
         const double low = r.min[std::size_t(k)], high = r.max[std::size_t(k)];
         component(solid.center, k) = R((low + high) / 2);

@@ -30,6 +30,8 @@ class AkinciLayer {
 
   /// Behind the surface of a thick wall [m].
   double depth() const { return spacing_ / 2 + setback_; }
+  /// Of that layer behind one of half a spacing [m].
+  double setback() const { return setback_; }
   /// Moves a point about half a spacing behind the surface to the depth of the layer, but not past
   /// the middle of the solid.
   template <int D> void settle(const Solid<D, double>& solid, Vec<D, double>& x) const {

@@ -115,8 +115,8 @@ class BallLayer {
 
 bool has_ball_layer(const Scene& s, const Scene::Region& body) {
   const double radius = body.radius / s.particles.spacing;
-  return s.dimension() == 3 && body.shape == Shape::sphere && s.method().incompressible() &&
-         radius >= 1 && radius < 12;
+  return s.dimension() == 3 && body.shape == Shape::sphere && body.side == Side::outside &&
+         s.method().incompressible() && radius >= 1 && radius < 12;
 }
 
 std::vector<Vec<3, double>> ball_layer(const Scene& s, const Solid<3, double>& ball) {

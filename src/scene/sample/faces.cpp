@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "scene/model/region_rotation.h"
 #include "scene/sample/places.h"
 
 namespace freshet {
@@ -55,6 +56,7 @@ template <int D> class FaceList {
     for (int k = 0; k < D; ++k) {
       Vec<D, double> axis{};
       component(axis, k) = 1;
+      if (is_turned_box(r)) axis = RegionRotation(r.rotation)(axis);
       ends(axis, component(solid.half, k));
     }
     return parts;

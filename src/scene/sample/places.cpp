@@ -45,12 +45,13 @@ Box box_around(const Scene& s, const Scene::Fluid& f) {
     for (double& component : turned.normal) component = -component;
     return box_below(s, turned);
   }
-  if (f.shape == Shape::box) return {f.min, f.max};
-  if (f.shape == Shape::plane) return box_below(s, f);
-  if (f.shape == Shape::mesh) {
+  if (is_mesh(f)) {
     const auto low = f.loaded->distance.low(), high = f.loaded->distance.high();
+    if (s.dimension() == 2) return {{low.x, low.y}, {high.x, high.y}};
     return {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
   }
+  if (f.shape == Shape::box) return {f.min, f.max};
+  if (f.shape == Shape::plane) return box_below(s, f);
   Box box{f.center, f.center};
   double axis2 = 0;
   for (const double a : f.axis) axis2 += a * a;
@@ -104,9 +105,7 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
       low_(D, -INFINITY),
       high_(D, INFINITY),
       wall_points_(0.499 * spacing_) {
-  const bool whole = f.shape == Shape::lattice || f.shape == Shape::points ||
-                     (f.shape == Shape::box && f.side == Side::inside);
-  if (!whole) shape_.emplace(f, spacing_);
+  if (!is_block(f) && f.shape != Shape::points) shape_.emplace(f, spacing_);
   const Triple origin = origin_of(s);
   for (int k = 0; k < D; ++k) component(origin_, k) = origin[std::size_t(k)];
   for (std::size_t k = 0; k < lattice_.from.size(); ++k) lattice_.from[k] -= origin[k];

@@ -15,7 +15,8 @@ namespace freshet {
 
 /// Whether a fluid fills its whole lattice.
 inline bool is_block(const Scene::Fluid& f) {
-  return f.shape == Shape::lattice || (f.shape == Shape::box && f.side == Side::inside);
+  return f.shape == Shape::lattice ||
+         (f.shape == Shape::box && f.side == Side::inside && !is_turned_box(f));
 }
 
 /// Vectors from a place to its images beyond periodic ends; the first is 0.

@@ -10,7 +10,7 @@ namespace freshet {
 template <int D> class RegionSurface {
  public:
   RegionSurface(const Scene::Region& region, double spacing) : sheet_(spacing) {
-    if (is_solid(region.shape)) solid_ = solid_of<D>(region);
+    if (is_solid(region)) solid_ = solid_of<D>(region);
     else mesh_ = region.loaded;
     fluid_inside_ = region.side == Side::inside;
   }
@@ -22,28 +22,36 @@ template <int D> class RegionSurface {
 
   /// The distance of x from the surface [m]: positive on the fluid's side, negative on the other.
   double distance(Vec<D, double> x) const {
-    if constexpr (D == 3)
-      if (mesh_) {
-        if (!mesh_->condition.closed()) return mesh_->distance.nearest(x).distance - sheet_ / 2;
-        const double outside = mesh_->distance.signed_distance(x);
-        return fluid_inside_ ? -outside : outside;
-      }
-    return solid_.distance(x);
+    if (!mesh_) return solid_.distance(x);
+    if constexpr (D == 3) {
+      if (!mesh_->condition.closed()) return mesh_->distance.nearest(x).distance - sheet_ / 2;
+      const double outside = mesh_->distance.signed_distance(x);
+      return fluid_inside_ ? -outside : outside;
+    } else {
+      const double away = mesh_->distance.nearest({x.x, x.y, 0}).distance;
+      return encloses(mesh_->outline, x) == fluid_inside_ ? away : -away;
+    }
   }
   /// The unit normal at the point of the surface nearest to x; it points towards the fluid. 0 if x
   /// is on a mesh.
   Vec<D, double> normal(Vec<D, double> x) const {
-    if constexpr (D == 3)
-      if (mesh_) {
-        const auto away = x - mesh_->distance.nearest(x).point;
-        const double length = norm(away);
-        if (length == 0) return {};
-        return (distance(x) < 0 ? -1 / length : 1 / length) * away;
-      }
-    return solid_.normal(x);
+    if (!mesh_) return solid_.normal(x);
+    const auto away = x - nearest(x);
+    const double length = norm(away);
+    if (length == 0) return {};
+    return (distance(x) < 0 ? -1 / length : 1 / length) * away;
   }
 
  private:
+  Vec<D, double> nearest(Vec<D, double> x) const {
+    if constexpr (D == 3) {
+      return mesh_->distance.nearest(x).point;
+    } else {
+      const auto on = mesh_->distance.nearest({x.x, x.y, 0}).point;
+      return {on.x, on.y};
+    }
+  }
+
   Solid<D, double> solid_;
   std::shared_ptr<const LoadedMesh> mesh_;
   double sheet_;

@@ -4,10 +4,9 @@
 #include "scene/model/loaded_mesh.h"
 #include "scene/sample/akinci_layer.h"
 #include "scene/sample/ball_layer.h"
-#include "scene/sample/mesh_surface.h"
+#include "scene/sample/region_layers.h"
 #include "scene/sample/region_surface.h"
 #include "scene/sample/sample_walls.h"
-#include "scene/sample/surface.h"
 
 namespace freshet {
 namespace {
@@ -17,12 +16,17 @@ template <int D> std::vector<Vec<D, double>> layer_of(const Scene& s, const Scen
   const AkinciLayer layer(s);
   if constexpr (D == 3)
     if (body.shape == Shape::mesh)
-      return points_behind(body.loaded->distance, s.particles.spacing, layer.depth());
+      return points_behind(body.loaded->distance, s.particles.spacing,
+                           body.side == Side::inside ? -layer.depth() : layer.depth());
+  if constexpr (D == 2)
+    if (body.shape == Shape::polygon)
+      return layers_of_polygon(body, s.particles.spacing, 1, layer.setback());
   const auto solid = solid_of<D>(body);
   if constexpr (D == 3)
     if (has_ball_layer(s, body)) return ball_layer(s, solid);
   auto points = Surface<D>(solid, s.particles.spacing, 1).points({}, {}, {});
   for (auto& x : points) layer.settle(solid, x);
+  turn_with<D>(body, points);
   return points;
 }
 
@@ -31,8 +35,14 @@ template <int D> std::vector<Vec<D, double>> layers_of(const Scene& s, const Sce
   const double spacing = s.particles.spacing;
   const int layers = wall_layers(s, WallMethod::adami2012);
   if constexpr (D == 3)
-    if (body.shape == Shape::mesh) return layers_behind(body.loaded->distance, spacing, layers);
-  return Surface<D>(solid_of<D>(body), spacing, layers).points({}, {}, {});
+    if (body.shape == Shape::mesh)
+      return layers_behind(body.loaded->distance, spacing, layers, body.side == Side::inside);
+  if constexpr (D == 2)
+    if (body.shape == Shape::polygon) return layers_of_polygon(body, spacing, layers, 0);
+  const auto solid = solid_of<D>(body);
+  auto points = Surface<D>(solid, spacing, layers).points({}, {}, {});
+  turn_with<D>(body, points);
+  return points;
 }
 
 }  // namespace

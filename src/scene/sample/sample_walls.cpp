@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "scene/sample/akinci_layer.h"
-#include "scene/sample/mesh_surface.h"
 #include "scene/sample/places.h"
 #include "scene/sample/point_cloud.h"
+#include "scene/sample/region_layers.h"
 #include "scene/sample/region_surface.h"
-#include "scene/sample/surface.h"
 
 namespace freshet {
 namespace {
@@ -135,6 +135,12 @@ template <int D> std::vector<Vec<D, double>> surface_points(const Scene& s, std:
   }
   if constexpr (D == 3)
     if (w.shape == Shape::mesh) return mesh_samples(s, wall);
+  const int layers = wall_layers(s, s.wall_method(wall));
+  std::optional<AkinciLayer> akinci;
+  if (s.wall_method(wall) == WallMethod::akinci2012) akinci.emplace(s);
+  if constexpr (D == 2)
+    if (w.shape == Shape::polygon)
+      return layers_of_polygon(w, s.particles.spacing, layers, akinci ? akinci->setback() : 0);
   const auto solid = solid_of<D>(w);
   const SideLattice lattice(s);
   Room<D> room{vec_of<D>(s.domain.min), vec_of<D>(s.domain.max)};
@@ -144,12 +150,10 @@ template <int D> std::vector<Vec<D, double>> surface_points(const Scene& s, std:
     component(room.low, k) -= beyond;
     component(room.high, k) += beyond;
   }
-  Surface<D> surface(solid, s.particles.spacing, wall_layers(s, s.wall_method(wall)));
-  points = surface.points(room.low, room.high, cell);
-  if (s.wall_method(wall) == WallMethod::akinci2012) {
-    const AkinciLayer layer(s);
-    for (auto& x : points) layer.settle(solid, x);
-  }
+  points = Surface<D>(solid, s.particles.spacing, layers).points(room.low, room.high, cell);
+  if (akinci)
+    for (auto& x : points) akinci->settle(solid, x);
+  turn_with<D>(w, points);
   return points;
 }
 
@@ -210,6 +214,8 @@ double most_samples(const Scene& s, const Scene::Region& w, double layers) {
     return layers * (w.center.size() == 2 ? 2 * pi * r : 4 * pi * r * r);
   if (w.shape == Shape::mesh)  // upper bound: a layer outside is wider than the surface
     return 5 * layers * (w.loaded->distance.area() / square(spacing) + 100);
+  if (w.shape == Shape::polygon)  // upper bound: likewise
+    return 3 * layers * (perimeter_of(w.loaded->outline) / spacing + 100);
   if (w.shape == Shape::cylinder) return layers * (2 * pi * r * l + 2 * pi * r * r);
   if (w.shape == Shape::box)
     for (std::size_t k = 0; k < w.min.size(); ++k)

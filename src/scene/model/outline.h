@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+/// Polygons in 2D.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "freshet/scene.h"
+#include "mesh/triangle_mesh.h"
+
+namespace freshet {
+
+using Outline = std::vector<Vec<2, double>>;  ///< corners, counterclockwise
+
+/// The outline of a polygon or of a turned box in 2D. Throws Error (kind scene) at FILE.
+Outline outline_of(const Scene::Region& region);
+/// What is wrong with an outline and what to do; empty if it encloses an area.
+std::optional<std::string> fault_in(const Outline& outline);
+
+bool encloses(const Outline& outline, Vec<2, double> x);
+double perimeter_of(const Outline& outline);
+
+/// The side faces of a prism over an outline; its ends, far below and above z = 0, are open. The
+/// distance of a point of that plane from them is that from the outline.
+TriangleMesh prism_of(const Outline& outline);
+
+}  // namespace freshet
