@@ -156,7 +156,7 @@ TEST_F(RestingBodies, FrictionHoldsThemOnASlope) {
   }
 }
 
-const std::string weightless = "gravity = [0, 0]\nperiodic = \"x\"\n";
+const std::string weightless_row = "gravity = [0, 0]\nperiodic = \"x\"\n";
 
 class PeriodicBodies : public FreeBodies {};
 
@@ -171,7 +171,8 @@ std::string pair_of_balls(double x) {
 
 // The same collision within the domain and across its seam.
 TEST_F(PeriodicBodies, CollideAcrossTheSeamAsElsewhere) {
-  World within(pair_of_balls(3), true, weightless), across(pair_of_balls(9), true, weightless);
+  World within(pair_of_balls(3), true, weightless_row),
+      across(pair_of_balls(9), true, weightless_row);
   within.run(2);
   across.run(2);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -192,7 +193,7 @@ TEST_F(PeriodicBodies, CollideAfterSeveralPeriods) {
       "velocity = [10, 0]\nrestitution = 1\n"
       "[[body]]\nmin = [5, 7]\nmax = [6, 8]\nmotion = \"free\"\nmass = 1\n"
       "velocity = [0, -0.7]\nrestitution = 1\n[walls]\nmethod = \"open\"\n",
-      true, weightless);
+      true, weightless_row);
   w.run(2);
   EXPECT_DOUBLE_EQ(10, w[0].velocity[0]) << "they must not meet before";
   w.run(2);
@@ -211,7 +212,7 @@ TEST_F(PeriodicBodies, BounceOffWallsBeyondTheSeam) {
         "[[body]]\nshape = \"sphere\"\ncenter = [9, 5]\nradius = 0.5\nmotion = \"free\"\n"
         "mass = 1\nvelocity = [1, 0]\nrestitution = 1\n" +
             wall,
-        true, weightless);
+        true, weightless_row);
     w.run(1.4);
     EXPECT_NEAR(wall.find("body") == wall.npos ? -1 : -0.3, w[0].velocity[0], 1e-5) << wall;
     EXPECT_NEAR(0, w[0].velocity[1], 1e-9) << wall;
