@@ -17,13 +17,17 @@
 
 namespace freshet {
 
+/// Rejects too many threads for any backend; the reference has one.
+inline int threads_of(const Scene& scene, const Execution& execution, double particles) {
+  const int threads = thread_count(execution.threads, particles);
+  return scene.solver.backend == BackendName::cpu ? threads : 1;
+}
+
 struct Simulation::Impl {
   Impl(Scene s, const Execution& execution)
       : scene(with_defaults(std::move(s))),
         derived(derive(scene)),
-        threads(scene.solver.backend == BackendName::cpu
-                    ? thread_count(execution.threads, derived.most_particles)
-                    : 1),
+        threads(threads_of(scene, execution, derived.most_particles)),
         bodies(scene.body.empty() ? nullptr : std::make_unique<Bodies>(scene)),
         engine_(make_engine_of(execution)) {
     health.emplace(scene, derived, engine_->fluid(), bodies.get());

@@ -49,7 +49,7 @@ TEST_F(Resume, ContinuesStatisticsAndInterpolatedFrames) {
   const std::string steps = "frame_every_steps = 33\n";
   scene.replace(scene.find(steps), steps.size(),
                 "frame_every = 0.0123\nstatistics = true\ndata = [\"csv\"]\n");
-  write_text(folder / "scene.toml", scene + "[[probe]]\nname = \"p\"\npoint = [0.1, 0.05]\n");
+  write_text(folder / "scene.toml", scene + "[[probe]]\nname = \"p\"\nat = [0.1, 0.05]\n");
   ASSERT_EQ(freshet(arguments("whole")).code, 0);
   ASSERT_EQ(freshet(arguments("run", {"--set", "time.end=0.1"})).code, 0);
   const auto r = resume("run", {"--set", "time.end=0.25"});

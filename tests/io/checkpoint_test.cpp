@@ -146,11 +146,11 @@ TEST(CheckpointFile, IsRejectedWithAFlippedBit) {
 
 TEST(CheckpointFile, OfAnotherFormatIsRejectedWithItsVersion) {
   std::string bytes = encode_checkpoint(checkpoint());
-  bytes[bytes.find("format 5") + 7] = '1';
+  bytes[bytes.find("format 6") + 7] = '1';
   bytes[bytes.find("version 0.1.0") + 8] = '9';
   EXPECT_EQ(
       "step.h5: error: this checkpoint has format 1, written by Freshet 9.1.0; this program, "
-      "Freshet 0.1.0, reads format 5; go on with that version",
+      "Freshet 0.1.0, reads format 6; go on with that version",
       refusal(bytes));
 }
 

@@ -89,8 +89,9 @@ TEST_P(Liquids, ConserveMomentum) {
   const std::string name = GetParam();
   const bool weakly = name == "wcsph" || name == "delta_sph";
   Simulation sim = simulation_of(
-      std::string("[domain]\nmax = [2, 2]\ngravity = [0, 0]\n[particles]\nspacing = 0.05\n"
-                  "jitter = 0.01\n[[fluid]]\nmin = [0.4, 0.6]\nmax = [0.9, 1.2]\nvelocity = [1.5, "
+      std::string("[domain]\nmin = [-3, -3]\nmax = [5, 5]\ngravity = [0, 0]\n[particles]\n"
+                  "spacing = 0.05\njitter = 0.01\n[[fluid]]\nmin = [0.4, 0.6]\nmax = [0.9, "
+                  "1.2]\nvelocity = [1.5, "
                   "0.2]\nrest_density = 200\n[[fluid]]\nmin = [1.0, 0.7]\nmax = [1.5, 1.2]\n"
                   "velocity = [-1, -0.3]\n[walls]\nmethod = \"open\"\n[solver]\nname = \"") +
           GetParam() +

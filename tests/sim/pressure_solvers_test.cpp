@@ -68,8 +68,8 @@ TEST_P(PressureSolver, FloorBearsTheWeightOfTheWater) {
 
 TEST_P(PressureSolver, ConservesMomentum) {
   Simulation sim = simulation_of(
-      "[domain]\nmax = [2, 2]\ngravity = [0, 0]\n[particles]\nspacing = 0.05\njitter = 0.01\n"
-      "[[fluid]]\nmin = [0.4, 0.6]\nmax = [0.9, 1.2]\nvelocity = [1.5, 0.2]\n"
+      "[domain]\nmin = [-3, -3]\nmax = [5, 5]\ngravity = [0, 0]\n[particles]\nspacing = 0.05\n"
+      "jitter = 0.01\n[[fluid]]\nmin = [0.4, 0.6]\nmax = [0.9, 1.2]\nvelocity = [1.5, 0.2]\n"
       "[[fluid]]\nmin = [1.0, 0.7]\nmax = [1.5, 1.2]\nvelocity = [-1, -0.3]\n"
       "[walls]\nmethod = \"open\"\n[solver]\nname = \"" +
           name() + "[time]\nend = 0.2\nstep = 0.002\n",

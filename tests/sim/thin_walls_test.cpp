@@ -54,14 +54,16 @@ class ThinWalls : public ::testing::TestWithParam<Thin> {
     if (const auto at = shape.find("FOLDER"); at != std::string::npos)
       shape.replace(at, 6, folder_.path().string());
     const bool flat = t.dimension == 2;
+    const std::string pressure = gravity > 0 ? "\npressure = \"hydrostatic\"\n" : "\n";
     return std::string("[domain]\nmax = ") + (flat ? "[0.84, 0.4]" : "[0.84, 0.4, 0.16]") +
            "\ngravity = " + (flat ? "[0, " : "[0, ") + std::to_string(-gravity) +
            (flat ? "]" : ", 0]") + "\n[particles]\nspacing = 0.04\n[[fluid]]\nmin = " +
-           (flat ? "[0, 0]\nmax = [0.4, 0.24]" : "[0, 0, 0]\nmax = [0.4, 0.24, 0.16]") +
-           "\npressure = \"hydrostatic\"\n[[fluid]]\nmin = " +
+           (flat ? "[0, 0]\nmax = [0.4, 0.24]" : "[0, 0, 0]\nmax = [0.4, 0.24, 0.16]") + pressure +
+           "[[fluid]]\nmin = " +
            (flat ? "[0.44, 0]\nmax = [0.84, 0.24]" : "[0.44, 0, 0]\nmax = [0.84, 0.24, 0.16]") +
-           "\npressure = \"hydrostatic\"\n" + shape + "\n[solver]\nname = \"" + t.solver +
-           "\"\n[time]\n" + time;
+           pressure + shape + "\n[solver]\nname = \"" + t.solver +
+           (t.solver == std::string("wcsph") ? "\"\nsound_speed = 30\n[time]\n" : "\"\n[time]\n") +
+           time;
   }
   TemporaryFolder folder_;
 };

@@ -10,20 +10,7 @@
 namespace freshet {
 namespace {
 
-constexpr double hopeless_steps = 12;  // times a bound: measured in docs/when_it_goes_wrong.md
 constexpr double hopeless_compression = 0.15;  // mean; the health monitor rejects a lasting 0.1
-
-void check_fixed_step(const Scene& s, Findings& out) {
-  if (s.time.adaptive) return;
-  TimeStepBounds b = bounds_at_rest(s);
-  b.force = b.flow;  // a fluid that falls freely passes these
-  const double times = s.time.step / b.least();
-  if (times > hopeless_steps)
-    out.error("time.step",
-              fmt::format("time.step is {:.4g} s, {:.3g} times its bound by {}, {:.4g} s: the run "
-                          "would blow up; make it at most {:.4g}, or set time.step = \"adaptive\"",
-                          s.time.step, times, b.ruling(), b.least(), b.least()));
-}
 
 /// The axis of gravity; -1 if gravity is 0 or oblique.
 int axis_of_gravity(const Scene& s) {
@@ -89,7 +76,6 @@ void check_density_ratio(const Scene& s, Findings& out) {
 void check_stability(const Scene& s, double particles, Findings& out) {
   if (!has_fluid(s)) return;
   if (s.is_article() || s.checks.when_wrong == WhenWrong::warn) return;
-  check_fixed_step(s, out);
   check_softness(s, particles, out);
   check_density_ratio(s, out);
 }
