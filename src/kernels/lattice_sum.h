@@ -118,15 +118,15 @@ template <int D, class Kernel> class SingleLayer {
       : W_(W), spacing_(spacing), support_(support_radius) {
     double missing = 0;
     for (int k = 1; k * spacing < support_radius; ++k) missing += layer(k);
-    lattice_ = lattice_sum<D>(W, spacing, support_radius) / std::pow(spacing, D);
-    wanted_ = layer(0) * missing / lattice_;
-    self_ = double(W(Pair<D, Real>(Vec<D>{})));
+    const double sum = lattice_sum<D>(W, spacing, support_radius);
+    wanted_ = layer(0) * missing * std::pow(spacing, D) / sum;
+    alone_ = double(W(Pair<D, Real>(Vec<D>{}))) * std::pow(spacing, D) / sum;
   }
   /// The volumes of its particles over 1/sum_l W_kl, for a layer `away` spacings from the lattice.
   /// A particle alone in the layer must be compressed, or else it would stay there or pass through:
   /// its density is at least 1.05 times the rest density.
   double volume_factor(double away) const {
-    return std::max(wanted_ / layer(away), std::min(1.0, 1.05 - self_ / lattice_));
+    return std::max(wanted_ / layer(away), std::min(1.0, 1.05 - alone_));
   }
   /// The distance [spacings] at which the factor is 1, by bisection.
   double distance() const {
@@ -142,9 +142,8 @@ template <int D, class Kernel> class SingleLayer {
   double layer(double away) const { return layer_sum<D>(W_, spacing_, support_, away); }
 
   const Kernel& W_;
-  double spacing_, support_;
-  double lattice_, self_;  // kernel sum of a lattice particle, and its own part [1/m^D]
-  double wanted_;
+  double spacing_, support_, wanted_;
+  double alone_;  // the density of a lone particle over the rest density
 };
 
 }  // namespace FRESHET_ISA

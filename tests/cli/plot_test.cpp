@@ -247,7 +247,7 @@ TEST(Plot, RejectsAFolderWithoutARun) {
                 "--columns\n");
   EXPECT_EQ(freshet({"plot", here, "--columns", "a"}).code, 0);
   write_text(file, "step,time [s]\n1\n2,3\n");
-  EXPECT_TRUE(contains(error_of({"plot", here}, 2), file + ":2: error: 1 value, "));
+  EXPECT_TRUE(contains(error_of({"plot", here}, 2), file + ":2: error: 1 value instead of 2"));
   EXPECT_TRUE(contains(error_of({"plot"}, 2), "DIR"));
   EXPECT_TRUE(contains(error_of({"plot", here, "--frobnicate"}, 2), "--frobnicate"));
 }

@@ -84,7 +84,8 @@ INSTANTIATE_TEST_SUITE_P(Shapes, ThinWalls,
                                            Thin{"sheet_wcsph", "wcsph", sheet, 3}),
                          [](const auto& thin) { return std::string(thin.param.name); });
 
-/// Layers deeper than the middle, or too near the water, gave its first row 1.1 to 2 times rho0.
+/// A layer past the middle made the first row 19 to 83 % too dense on one side. Random points of
+/// meshes leave 7 %.
 TEST_P(ThinWalls, GiveTheWaterOnBothSidesItsRestDensity) {
   Simulation sim = simulation_of(scene(0, "end = 1\nstep = 1e-6\n"));
   sim.step();
@@ -93,7 +94,7 @@ TEST_P(ThinWalls, GiveTheWaterOnBothSidesItsRestDensity) {
   for (std::size_t i = 0; i < f.size(); ++i) {
     const double x = double(f.x[n * i]), y = double(f.x[n * i + 1]);
     if (std::abs(x - 0.42) > 0.1 || y > 0.16) continue;
-    EXPECT_NEAR(1000, double(f.density[i]), 40) << "x = " << x << ", y = " << y;
+    EXPECT_NEAR(1000, double(f.density[i]), 80) << "x = " << x << ", y = " << y;
   }
 }
 
@@ -104,7 +105,7 @@ TEST_P(ThinWalls, LeaveStillWaterStill) {
     sim.step();
     for (const Real v : sim.fluid().v) fastest = std::max(fastest, std::abs(double(v)));
   }
-  EXPECT_LT(fastest, 0.25);
+  EXPECT_LT(fastest, 0.8) << "such a layer threw water away at 1.8 to 26 m/s";
   EXPECT_TRUE(sim.warnings().empty());
 }
 

@@ -5,6 +5,7 @@
 
 #include "scene/model/setup.h"
 #include "scene/model/solid_of.h"
+#include "scene/sample/region_surface.h"
 
 namespace freshet {
 
@@ -38,10 +39,14 @@ class AkinciLayer {
     const double room = half_thickness(solid) + solid.distance(x);
     x += -std::min(setback_, std::max(0.0, room)) * solid.normal(x);
   }
-  /// Of particles at this depth [m].
-  Real volume_factor(double depth) const {
-    return depth > same * this->depth() ? 1
-                                        : Real(single_layer_volume(scene_, spacing_ / 2 + depth));
+  /// Of a particle of a region. All particles of a box, ball or cylinder have the factor of its
+  /// thickness, those of a mesh or polygon that of their depth.
+  template <int D>
+  Real volume_factor(const Scene::Region& region, const RegionSurface<D>& surface,
+                     Vec<D, double> x) const {
+    const bool varies = region.shape == Shape::mesh || region.shape == Shape::polygon;
+    const double most = varies ? -surface.distance(x) : half_thickness(solid_of<D>(region));
+    return most > same * depth() ? 1 : Real(single_layer_volume(scene_, spacing_ / 2 + most));
   }
 
  private:

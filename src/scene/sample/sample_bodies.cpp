@@ -58,7 +58,7 @@ template <int D> void sample_bodies(const Scene& s, Sample& all) {
       for (int k = 0; k < D; ++k) all.bodies.x.push_back(component(x, k));
       all.bodies.body.push_back(std::int32_t(b));
       if (!layered)
-        all.bodies.volume_factor.push_back(fitted ? 1 : layer.volume_factor(-surface.distance(x)));
+        all.bodies.volume_factor.push_back(fitted ? 1 : layer.volume_factor(s.body[b], surface, x));
     }
   }
 }

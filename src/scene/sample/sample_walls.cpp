@@ -168,7 +168,7 @@ std::vector<Real> volume_factors(const Scene& s, std::size_t wall,
   const AkinciLayer layer(s);
   const RegionSurface<D> surface(s.wall[wall], s.particles.spacing);
   std::transform(points.begin(), points.end(), factors.begin(),
-                 [&](const auto& x) { return layer.volume_factor(-surface.distance(x)); });
+                 [&](const auto& x) { return layer.volume_factor(s.wall[wall], surface, x); });
   return factors;
 }
 
