@@ -51,7 +51,7 @@ TEST(Fill, ReachesASlopeAndADisc) {
   expect_full(scene_with("[1, 1]", 0.025,
                          "solver.name = \"dfsph\"\n[fluid]\nmin = [0, 0]\nmax = [1, 0.8]\n"
                          "[[wall]]\nshape = \"plane\"\npoint = [0.5, 0]\nnormal = [-1, 2]\n"
-                         "[[body]]\nshape = \"sphere\"\ncenter = [0.31, 0.47]\nradius = 0.11\n"),
+                         "[[wall]]\nshape = \"sphere\"\ncenter = [0.31, 0.47]\nradius = 0.11\n"),
               0.8 - 0.5 * 0.5 * 0.25 - pi * 0.11 * 0.11);
 }
 

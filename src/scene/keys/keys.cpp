@@ -229,8 +229,9 @@ The functions of a scene (`body_force`, `fluid.velocity_field`, `body.position`,
 - `points`: the particles of `file`.
 
 Places in walls, bodies and the zones of inlets, or closer to them than half a spacing,
-are excluded. Where a wall or body cuts the places of a shape, as many excluded places are
-added again as fill its volume up to the wall, and the places near the wall are spread evenly.
+are excluded. Where a wall cuts the places of a shape in a scene without bodies, as many
+excluded places are added again as fill its volume up to the wall, and the places near the
+wall are spread evenly.
 The places of a `lattice` stay as they are. The points of a file are excluded only inside
 walls. `info` prints the volume of the particles and that of the shape without walls and
 bodies. `check` warns if they differ by more than 1 %, or 2 % for a round shape or a mesh.

@@ -124,7 +124,7 @@ template <int D> class Filling {
 template <int D>
 std::int64_t fill_to_walls(const Scene& s, const Scene::Fluid& f, const Places<D>& places,
                            std::vector<Vec<D>>& x) {
-  if (f.shape == Shape::lattice || f.shape == Shape::points) return 0;
+  if (f.shape == Shape::lattice || f.shape == Shape::points || !s.body.empty()) return 0;
   const Filling<D> filling(s, f, places);
   const double missing = volume_asked(s, f) / std::pow(s.particles.spacing, D) - double(x.size());
   const auto added = filling.choose(missing);
