@@ -37,7 +37,7 @@ template <int D> void draw_water(benchmark::State& state) {
   frame.density.assign(frame.id.size(), 1000);
   frame.pressure.assign(frame.id.size(), 0);
   for (auto _ : state) {
-    const Image image = draw(scene, frame, threads);
+    const Image image = draw(scene, frame, {}, threads);
     benchmark::DoNotOptimize(image.pixels.data());
   }
 }

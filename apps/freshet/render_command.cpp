@@ -15,7 +15,7 @@ namespace {
 struct RenderArguments {
   std::string run, output, video;
   std::vector<std::string> set;
-  double fps = 30;
+  double fps = 30, speed = 1;
   int threads = 0;
   bool overwrite = false, quiet = false;
 };
@@ -27,7 +27,7 @@ int render_run(const RenderArguments& a) {
   options.overwrite = a.overwrite;
   options.threads = a.threads;
   options.overrides = overrides_of(a.set);
-  if (!a.video.empty()) options.video = VideoOptions{a.video, a.fps};
+  if (!a.video.empty()) options.video = VideoOptions{a.video, a.fps, a.speed};
   const bool bar = !a.quiet && isatty(STDOUT_FILENO) == 1;
   options.after_picture = [bar](std::size_t done, std::size_t all) {
     if (bar) put(fmt::format("\r{} of {} pictures", done, all));
@@ -55,9 +55,14 @@ void add_render(Program& program) {
   render.flag("--overwrite", a->overwrite, "replace existing pictures");
   render.option("--threads", a->threads, "threads (default: all)").at_least(1);
   render.flag("--quiet", a->quiet, "print nothing but errors");
-  render.option("--video", a->video, "make a video, FILE.mp4 or FILE.gif (needs ffmpeg)");
-  render.option("--fps", a->fps, "pictures of the video per simulated second (default: 30)")
+  render.option("--video", a->video,
+                "make a video: FILE.gif, FILE.webp, or FILE.mp4 (needs ffmpeg)");
+  render.option("--fps", a->fps, "pictures per second of the video (default: 30)")
       .range(0.001, 1e6);
+  render
+      .option("--speed", a->speed,
+              "simulated seconds per second of the video (default: 1; 0.25 is slow motion)")
+      .range(1e-9, 1e9);
   render.footer(
       "Example:\n  freshet render runs/dam_break_3d --set picture.color_by=pressure --set "
       "camera.orbit=30 --video film.mp4");

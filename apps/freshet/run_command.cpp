@@ -17,7 +17,7 @@ namespace {
 struct RunArguments {
   SceneArguments scene;
   std::string output, log = "text", video;
-  double fps = 30;
+  double fps = 30, speed = 1;
   bool overwrite = false, quiet = false;
 };
 
@@ -147,7 +147,7 @@ int run_scene(const RunArguments& a, const std::vector<std::string>& command_lin
   options.overwrite = a.overwrite;
   options.execution = a.scene.execution();
   options.command = command_line;
-  if (!a.video.empty()) options.video = VideoOptions{a.video, a.fps};
+  if (!a.video.empty()) options.video = VideoOptions{a.video, a.fps, a.speed};
   Outcome outcome{Progress(Progress::choose(a.quiet, a.log == "json"))};
   options.after_step = outcome.after_step();
   if (!a.quiet) print_diagnostics(scene_warnings(scene));
@@ -156,7 +156,7 @@ int run_scene(const RunArguments& a, const std::vector<std::string>& command_lin
 
 struct ResumeArguments {
   ChangeArguments changes;
-  std::string folder, log = "text";
+  std::string folder, log = "text", video;
   bool quiet = false;
 };
 
@@ -166,6 +166,7 @@ int resume_run(const ResumeArguments& a, const std::vector<std::string>& command
   options.overrides = a.changes.overrides();
   options.execution = a.changes.execution();
   options.command = command_line;
+  options.video = a.video;
   options.warn = print_diagnostics;
   Outcome outcome{Progress(Progress::choose(a.quiet, a.log == "json"))};
   options.after_step = outcome.after_step();
@@ -186,9 +187,11 @@ void add_run(Program& program, const std::vector<std::string>& command_line) {
   run.option("--output", a->output, "the folder (default: runs/SCENE)");
   run.flag("--overwrite", a->overwrite, "replace the run that the folder holds");
   add_log_options(run, a->quiet, a->log);
-  run.option("--video", a->video, "make a video, FILE.mp4 or FILE.gif (needs ffmpeg)");
-  run.option("--fps", a->fps, "pictures of the video per simulated second (default: 30)")
-      .range(0.001, 1e6);
+  run.option("--video", a->video, "make a video: FILE.gif, FILE.webp, or FILE.mp4 (needs ffmpeg)");
+  run.option("--fps", a->fps, "pictures per second of the video (default: 30)").range(0.001, 1e6);
+  run.option("--speed", a->speed,
+             "simulated seconds per second of the video (default: 1; 0.25 is slow motion)")
+      .range(1e-9, 1e9);
   run.footer("Example:\n  freshet run article --output runs/article --video water.mp4");
   run.action([a, command_line] { return run_scene(*a, command_line); });
 }
@@ -199,6 +202,7 @@ void add_resume(Program& program, const std::vector<std::string>& command_line) 
   resume.option("DIR", a->folder, "the folder of the run").required();
   a->changes.add_to(resume);
   add_log_options(resume, a->quiet, a->log);
+  resume.option("--video", a->video, "another file for the video of the run");
   resume.footer("Example:\n  freshet resume runs/article --set time.end=4");
   resume.action([a, command_line] { return resume_run(*a, command_line); });
 }

@@ -84,7 +84,7 @@ void simulate(const Scene& scene, const RunOptions& run, bool resume) {
   if (resume && holds(run.output, scene)) {
     if (fs::exists(run.output / "report.json")) return;
     try {
-      freshet::resume({run.output, {}, run.command, run.execution, {}, {}});
+      freshet::resume({run.output, {}, run.command, run.execution, {}, {}, {}});
       return;
     } catch (const Error&) {  // it left nothing to go on from
     }

@@ -8,10 +8,11 @@
 
 namespace freshet {
 
-/// Video output: frames are rendered separately and piped to ffmpeg.
+/// Video output. Its pictures are drawn separately from the frames.
 struct VideoOptions {
-  std::filesystem::path file;  ///< *.mp4 or *.gif
-  double fps = 30;             ///< pictures per simulated second and per second of video
+  std::filesystem::path file;  ///< *.mp4, *.gif or *.webp
+  double fps = 30;             ///< pictures per second of video
+  double speed = 1;            ///< simulated seconds per second of video; below 1: slow motion
 };
 
 /// Called after every step with the wall time of the steps so far [s]. Returning false ends the
@@ -29,7 +30,8 @@ struct RunOptions {
 };
 
 /// Runs a scene and writes a run folder: frames/frame_0000.png ..., result.png, observables.csv,
-/// scene.toml, report.json, manifest.json and the last two checkpoints. A failed write leaves no
+/// scene.toml, report.json, manifest.json and the last two checkpoints. The pictures of a video are
+/// written to video/ and encoded at the end. A failed write leaves no
 /// partial file.
 ///
 /// Throws Error (kind scene), before anything changes, if the folder holds a run (unless
@@ -46,9 +48,11 @@ struct ResumeOptions {
   AfterStep after_step;
   /// Receives the defects of the checkpoints newer than the one that the run resumes from.
   std::function<void(const std::vector<Diagnostic>&)> warn;
+  /// Another file for the video of the run; its pictures per second stay. Empty: the same file.
+  std::filesystem::path video = {};
 };
 
-/// Resumes a run from its newest valid checkpoint. The result has the same bits and the same files
+/// Resumes a run from its newest valid checkpoint, its video included. The result has the same bits and the same files
 /// as an uninterrupted run.
 ///
 /// The scene is that of scene.toml in the folder, with the overrides.

@@ -44,6 +44,10 @@ void check_record(const RunRecord& r) {
   if (!is_past(r.seconds) || !is_past(r.observed.time))
     fail_for_checkpoint(
         fmt::format("its run took {} s, and was observed at {} s", r.seconds, r.observed.time));
+  const auto is_rate = [](double x) { return x > 0 && std::isfinite(x); };
+  if (r.video && !(is_rate(r.video->fps) && is_rate(r.video->speed) && r.video->file.is_absolute()))
+    fail_for_checkpoint(fmt::format("its video {} has {} pictures per second and the speed {}",
+                                    r.video->file.string(), r.video->fps, r.video->speed));
   for (const auto& [name, table] : r.tables) check_table(name, table);
   for (const auto& [name, series] : r.series) check_series(name, series);
   for (const auto& [output, step] : r.written)

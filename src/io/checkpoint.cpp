@@ -126,16 +126,19 @@ JsonHeader json_of(const RunCheckpoint& c) {
                       {"count", a.count},
                       {"components", a.components},
                       {"number", number_words[int(a.number)]}});
-  return {{"steps", c.steps},
-          {"time", c.time},
-          {"edited", c.edited},
-          {"walls_sha256", c.walls_sha256},
-          {"time_steps", c.time_steps},
-          {"solves", finite(c.solves)},
-          {"retries_help", c.retries_help},
-          {"watch", finite(c.watch)},
-          {"run", c.run},
-          {"arrays", arrays}};
+  JsonHeader json{{"steps", c.steps},
+                  {"time", c.time},
+                  {"edited", c.edited},
+                  {"walls_sha256", c.walls_sha256},
+                  {"time_steps", c.time_steps},
+                  {"solves", finite(c.solves)},
+                  {"retries_help", c.retries_help},
+                  {"watch", finite(c.watch)},
+                  {"run", c.run},
+                  {"arrays", arrays}};
+  if (const auto& video = c.run.video)
+    json["video"] = {{"file", video->file.string()}, {"fps", video->fps}, {"speed", video->speed}};
+  return json;
 }
 
 void read_json(const JsonHeader& json, RunCheckpoint& c) {
@@ -148,6 +151,8 @@ void read_json(const JsonHeader& json, RunCheckpoint& c) {
   json.at("retries_help").get_to(c.retries_help);
   json.at("watch").get_to(c.watch);
   json.at("run").get_to(c.run);
+  if (const auto video = json.find("video"); video != json.end())
+    c.run.video = {video->at("file").get<std::string>(), video->at("fps"), video->at("speed")};
   for (const JsonHeader& a : json.at("arrays"))
     c.arrays.push_back({{a.at("name"), nullptr, a.at("count"), a.at("components"),
                          number_of(a.at("number")), StateArray::Role::other},
@@ -257,9 +262,8 @@ RunCheckpoint decode_checkpoint(std::string_view bytes, const std::string& file)
 }
 
 RunCheckpoint read_checkpoint(const std::filesystem::path& file) {
-  constexpr InputFile checkpoint_file{.noun = "checkpoint",
-                                      .remedy = "use another checkpoint",
-                                      .kind = Error::Kind::run};
+  constexpr InputFile checkpoint_file{
+      .noun = "checkpoint", .remedy = "use another checkpoint", .kind = Error::Kind::run};
   return decode_checkpoint(read_input(file, checkpoint_file), file.string());
 }
 

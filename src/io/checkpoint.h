@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "freshet/checkpoint.h"
+#include "freshet/run.h"
 #include "freshet/simulation.h"
 #include "freshet/vector.h"
 
@@ -39,6 +41,7 @@ struct RunRecord {
   std::vector<Flow> flows;                      ///< as last observed
   std::map<std::string, TableRecord> tables;    ///< by file name
   std::map<std::string, SeriesRecord> series;   ///< by output
+  std::optional<VideoOptions> video;            ///< with an absolute path
   std::map<std::string, std::int64_t> written;  ///< by output: the step after which it last wrote
 };
 

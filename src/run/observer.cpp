@@ -10,7 +10,6 @@
 #include "render/draw.h"
 #include "render/png.h"
 #include "run/checks.h"
-#include "run/percentile_table.h"
 #include "scene/keys/keys.h"
 
 namespace freshet {
@@ -32,30 +31,36 @@ Provenance provenance(const Scene& scene, const Execution& execution,
           cpu ? thread_count(execution.threads) : 1};
 }
 
+RunRecord record_of(const RunOptions& options) {
+  RunRecord record;
+  record.scene_name = options.scene_name;
+  record.video = options.video;
+  if (record.video) record.video->file = std::filesystem::absolute(record.video->file);
+  return record;
+}
+
 }  // namespace
 
-Observer::Observer(Simulation& sim, FolderLock lock, RunRecord record, Inputs inputs,
-                   const std::optional<VideoOptions>& video)
+Observer::Observer(Simulation& sim, FolderLock lock, RunRecord record, Inputs inputs)
     : sim_(sim),
       schedule_(sim.scene()),
       record_(std::move(record)),
       inputs_(std::move(inputs)),
       folder_(std::move(lock)),
       tables_(record_, folder_, background_),
-      outputs_(
-          outputs_of({sim_, schedule_, record_, folder_, background_, tables_, ranges_}, video)) {
+      outputs_(outputs_of({sim_, schedule_, record_, folder_, background_, tables_, ranges_})) {
   prepare_checkpoints();
 }
 
 Observer::Observer(Simulation& sim, const RunOptions& options)
-    : Observer(sim, FolderLock::of_new(options.output), {}, inputs_of(sim.scene()), options.video) {
+    : Observer(sim, FolderLock::of_new(options.output), record_of(options),
+               inputs_of(sim.scene())) {
   begin_or_fail([&] { begin(options); });
 }
 
 Observer::Observer(Simulation& sim, const ResumeOptions& options, FolderLock lock, RunRecord record)
     : Observer(sim, std::move(lock), std::move(record),
-               {sim.scene().source, {}},  // the input files lie in the folder
-               {}) {
+               {sim.scene().source, {}}) {  // the input files lie in the folder
   begin_or_fail([&] { begin(options); });
 }
 
@@ -73,7 +78,6 @@ template <class Begin> void Observer::begin_or_fail(const Begin& begin) {
 void Observer::begin(const RunOptions& options) {
   folder_.take(options.overwrite ? RunFolder::Take::overwrite : RunFolder::Take::empty, plan(),
                provenance(sim_.scene(), options.execution, options.command));
-  record_.scene_name = options.scene_name;
   for (const auto& [name, bytes] : inputs_.files) folder_.write(name, bytes);
   folder_.write("scene.toml", inputs_.source);
   for (const auto& output : outputs_) output->start();
@@ -91,15 +95,10 @@ void Observer::begin(const ResumeOptions& options) {
   const bool prolonged = !sim_.finished();
   if (prolonged)
     for (auto& [name, series] : record_.series) series.times.resize(series.scheduled);
-  const std::vector<Diagnostic> missing = tables_.resume(prolonged);
+  std::vector<Diagnostic> missing = tables_.resume(prolonged);
+  for (const auto& output : outputs_)
+    for (Diagnostic& d : output->resume()) missing.push_back(std::move(d));
   if (options.warn && !missing.empty()) options.warn(missing);
-  read_ranges(options.folder / percentile_file);
-}
-
-/// A table that is missing begins again, and the colours with it.
-void Observer::read_ranges(const std::filesystem::path& file) {
-  std::error_code ec;
-  if (std::filesystem::is_regular_file(file, ec)) ranges_ = RangesByStep(file, sim_.scene()).all();
 }
 
 /// Checkpoints get their names later. Those in the folder are planned: a run may replace and rotate

@@ -38,12 +38,10 @@ class Observer {
 
  private:
   using Clock = std::chrono::steady_clock;
-  Observer(Simulation& sim, FolderLock lock, RunRecord record, Inputs inputs,
-           const std::optional<VideoOptions>& video);
+  Observer(Simulation& sim, FolderLock lock, RunRecord record, Inputs inputs);
   template <class Begin> void begin_or_fail(const Begin& begin);
   void begin(const RunOptions& options);
   void begin(const ResumeOptions& options);
-  void read_ranges(const std::filesystem::path& file);
   /// Waits for the background thread; false if a job failed.
   bool come_to_rest() noexcept;
   RunPlan plan() const;

@@ -36,6 +36,8 @@ class Output {
   virtual std::vector<std::string> files() const = 0;
   /// Writes what is known before the first step. A resumed run skips it.
   virtual void start() {}
+  /// Continues what the run had written up to its checkpoint. Returns warnings.
+  virtual std::vector<Diagnostic> resume() { return {}; }
   /// Whether it is to write after `step`.
   virtual bool due(const StepTaken& step) const = 0;
   /// Writes the moment after `step`, or gives a background job a copy of it.
@@ -47,7 +49,6 @@ class Output {
 };
 
 /// In the order in which they write after a step.
-std::vector<std::unique_ptr<Output>> outputs_of(const RunSite& site,
-                                                const std::optional<VideoOptions>& video);
+std::vector<std::unique_ptr<Output>> outputs_of(const RunSite& site);
 
 }  // namespace freshet

@@ -5,16 +5,15 @@
 #include <optional>
 
 #include "io/frame_data.h"
-#include "io/video.h"
 #include "render/draw.h"
 #include "render/png.h"
 #include "run/body_table.h"
 #include "run/observables.h"
 #include "run/output.h"
 #include "run/percentile_table.h"
+#include "run/video_output.h"
 #include "scene/model/body_mesh.h"
 #include "scene/model/body_shape.h"
-#include "scene/model/picture_layout.h"
 #include "sim/probes.h"
 
 namespace freshet {
@@ -120,6 +119,16 @@ class PercentileTable final : public Output {
   void start() override {
     site_.tables.begin(percentile_file, percentile_header(site_.sim.scene()));
   }
+  /// A table that is missing begins again, and the colours with it. A run of an older version had
+  /// none.
+  std::vector<Diagnostic> resume() override {
+    if (!site_.record.tables.contains(percentile_file)) start();
+    const auto file = site_.folder.path() / percentile_file;
+    std::error_code ec;
+    if (std::filesystem::is_regular_file(file, ec))
+      site_.ranges = RangesByStep(file, site_.sim.scene()).all();
+    return {};
+  }
   bool due(const StepTaken& step) const override {
     const Schedule& schedule = site_.schedule;
     return schedule.observe_after(step) || schedule.frame_after(step) || schedule.data_after(step);
@@ -197,41 +206,9 @@ class DataFiles final : public Output {
   RunSite site_;
 };
 
-/// A video outside the run's folder, at its own rate of frames.
-class VideoFile final : public Output {
- public:
-  VideoFile(const RunSite& site, const VideoOptions& options) : site_(site), options_(options) {}
-  const char* name() const override { return "video"; }
-  std::vector<std::string> files() const override { return {}; }
-  void start() override {
-    const PictureLayout picture = picture_layout(site_.sim.scene());
-    video_ = std::make_shared<Video>(options_.file, picture.width, picture.height, options_.fps);
-  }
-  bool due(const StepTaken& step) const override { return is_due(step.after); }
-  void write(const StepTaken&) override {
-    int times = 0;
-    for (; is_due(site_.sim.time()); ++shown_) ++times;
-    site_.background.add(
-        [site = site_, video = video_, times, frame = frame_of(site_), ranges = site_.ranges] {
-          const Image image = draw(site.sim.scene(), *frame, ranges);
-          for (int k = 0; k < times; ++k) video->add(image);
-        });
-  }
-  bool writes_the_end() const override { return false; }
-  void finish() override { video_->finish(); }
-
- private:
-  bool is_due(double time) const { return double(shown_) / options_.fps <= time + 1e-12; }
-  RunSite site_;
-  VideoOptions options_;
-  std::shared_ptr<Video> video_;
-  std::int64_t shown_ = 0;
-};
-
 }  // namespace
 
-std::vector<std::unique_ptr<Output>> outputs_of(const RunSite& site,
-                                                const std::optional<VideoOptions>& video) {
+std::vector<std::unique_ptr<Output>> outputs_of(const RunSite& site) {
   const Scene& scene = site.sim.scene();
   std::vector<std::unique_ptr<Output>> all;
   all.push_back(std::make_unique<Observables>(site));
@@ -240,7 +217,8 @@ std::vector<std::unique_ptr<Output>> outputs_of(const RunSite& site,
   all.push_back(std::make_unique<PercentileTable>(site));
   all.push_back(std::make_unique<Pictures>(site));
   if (!scene.output.data.empty()) all.push_back(std::make_unique<DataFiles>(site));
-  if (video) all.push_back(std::make_unique<VideoFile>(site, *video));
+  if (const auto& video = site.record.video)
+    all.push_back(std::make_unique<VideoOutput>(site, *video));
   return all;
 }
 

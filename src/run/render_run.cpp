@@ -153,22 +153,23 @@ class FrameRanges {
 class Film {
  public:
   Film(const PictureLayout& picture, const VideoOptions& options)
-      : fps_(options.fps), video_(options.file, picture.width, picture.height, options.fps) {}
+      : per_second_(options.fps / options.speed),
+        video_(make_video(options.file, picture.width, picture.height, options.fps)) {}
 
   void add(const Image& image, double time) {
     if (!start_) start_ = time;
-    const auto due = std::int64_t((time - *start_) * fps_ + 1e-6);
-    for (; shown_ < due; ++shown_) video_.add(*last_);
+    const auto due = std::int64_t((time - *start_) * per_second_ + 1e-6);
+    for (; shown_ < due; ++shown_) video_->add(*last_);
     last_ = image;
   }
   void finish() {
-    if (last_) video_.add(*last_);
-    video_.finish();
+    if (last_) video_->add(*last_);
+    video_->finish();
   }
 
  private:
-  double fps_;
-  Video video_;
+  double per_second_;  // pictures per simulated second
+  std::unique_ptr<Video> video_;
   std::optional<double> start_;
   std::optional<Image> last_;
   std::int64_t shown_ = 0;
@@ -189,7 +190,7 @@ RenderReport render(const RenderOptions& options) {
   const FrameBodies bodies(options.run, scene);
   const PictureFolder pictures(options);
   pictures.check(options, frames);
-  if (options.video) Video::check(options.video->file, options.overwrite);
+  if (options.video) check_video(options.video->file, options.video->fps, options.overwrite);
   if (const auto gaps = gaps_in(frames); options.warn && !gaps.empty()) options.warn(gaps);
   FrameRanges ranges(options, scene);
   std::optional<Film> film;

@@ -7,9 +7,9 @@
 #include <new>
 
 #include "core/input_file.h"
-#include "io/video.h"
 #include "run/observer.h"
 #include "run/record_of_scene.h"
+#include "run/video_output.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/same_steps.h"
 
@@ -140,11 +140,29 @@ void check_end(const Simulation& sim, const ResumeOptions& options) {
                   fmt::format("time.end must be later than {:g} s, where the run is", sim.time()));
 }
 
+/// The run's own video is replaced, another file is not.
+void check_resumed_video(const Scene& scene, const ResumeOptions& options, RunRecord& record) {
+  const bool moves = !options.video.empty();
+  if (moves && !record.video)
+    throw Error(Error::Kind::scene, "option video " + options.video.string(),
+                "this run makes no video; leave out the option, or run the scene again with it");
+  if (moves) record.video->file = fs::absolute(options.video);
+  if (!record.video) return;
+  try {
+    check_video_of(scene, *record.video, !moves);
+  } catch (const Error& error) {
+    auto diagnostics = error.diagnostics();
+    diagnostics.back().message += "; `video` names another file";
+    diagnostics.back().options.push_back("video");
+    throw Error(error.kind(), std::move(diagnostics));
+  }
+}
+
 }  // namespace
 
 Report run(const Scene& scene, const RunOptions& options) {
   Simulation sim(scene, options.execution);
-  if (options.video) Video::check(options.video->file, options.overwrite);
+  if (options.video) check_video_of(scene, *options.video, options.overwrite);
   Observer observer(sim, options);
   return run_observed(sim, observer, options.after_step);
 }
@@ -177,6 +195,7 @@ Report resume(const ResumeOptions& options) {
         Error::Kind::scene, options.folder.string(),
         fmt::format("this run has reached its end, {:g} s; `time.end` prolongs it", scene.time.end),
         {"time.end"});
+  check_resumed_video(scene, options, checkpoint.run);
   Observer observer(sim, options, std::move(lock), std::move(checkpoint.run));
   return run_observed(sim, observer, options.after_step);
 }

@@ -195,8 +195,59 @@ TEST(Video, RejectsAnUnknownSuffix) {
   const TemporaryFolder folder;
   const auto r = freshet(good_run(folder / "run", {"--video", (folder / "water.avi").string()}));
   EXPECT_EQ(r.code, 2);
-  EXPECT_TRUE(contains(r.err, ".mp4 or .gif")) << r.err;
+  EXPECT_TRUE(contains(r.err, ".mp4, .gif or .webp")) << r.err;
   EXPECT_FALSE(fs::exists(folder / "run/manifest.json"));
+}
+
+TEST(Video, RejectsAMissingFolderAndTooManyPictures) {
+  const TemporaryFolder folder;
+  const auto rejected = [&](const std::vector<std::string>& more) {
+    const auto r = freshet(good_run(folder / "run", more));
+    EXPECT_EQ(r.code, 2) << r.err;
+    EXPECT_FALSE(fs::exists(folder / "run/manifest.json"));
+    return r.err;
+  };
+  EXPECT_TRUE(contains(rejected({"--video", (folder / "no/a.gif").string()}),
+                       "the folder of this file does not exist"));
+  EXPECT_TRUE(contains(
+      rejected({"--video", (folder / "a.webp").string(), "--fps", "1e6", "--speed", "1e-3"}),
+      "at most 100000 are allowed"));
+}
+
+// Built without giflib or libwebp, the message names the package instead.
+TEST(Video, GifAndWebpNeedNoFfmpeg) {
+  const TemporaryFolder folder;
+  for (const std::string kind : {"gif", "webp"}) {
+    const fs::path film = folder / ("water." + kind);
+    const auto r = freshet(good_run(folder / kind, {"--video", film.string()}),
+                           {.environment = {"PATH=/nowhere"}});
+    if (r.code == 2) {
+      EXPECT_TRUE(contains(r.err, kind == "gif" ? "libgif-dev" : "libwebp-dev")) << r.err;
+      EXPECT_FALSE(fs::exists(folder / kind / "manifest.json"));
+      continue;
+    }
+    EXPECT_EQ(r.code, 0) << r.err;
+    const std::string bytes = read_text(film);
+    EXPECT_EQ(kind == "gif" ? bytes.substr(0, 6) : bytes.substr(8, 4),
+              kind == "gif" ? "GIF89a" : "WEBP");
+    expect_whole_run(folder / kind);
+  }
+}
+
+TEST(Video, SlowMotionHasMorePictures) {
+  const TemporaryFolder folder;
+  const auto pictures = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> all{"--video", (folder / (name + ".gif")).string(), "--fps", "50"};
+    all.insert(all.end(), more.begin(), more.end());
+    const auto r = freshet(good_run(folder / name, all));
+    EXPECT_EQ(r.code, 0) << r.err;
+    return files_below(folder / name / "video").size();
+  };
+  if (run_process({"ffmpeg", "-version"}).code != 0 &&
+      freshet(good_run(folder / "try", {"--video", (folder / "try.gif").string()})).code == 2)
+    GTEST_SKIP() << "neither giflib nor ffmpeg is installed";
+  const std::size_t usual = pictures("usual", {});
+  EXPECT_NEAR(4.0 * double(usual - 1), double(pictures("slow", {"--speed", "0.25"}) - 1), 3);
 }
 
 TEST(Video, IsWrittenAndNotReplaced) {
