@@ -22,7 +22,7 @@ std::vector<std::string> cells(const std::string& line) {
 }
 
 /// The cell of largest magnitude in the columns of a probe's table whose names begin with `name`:
-/// "pressure 2150 Pa at 0.42 s". Empty if there is none.
+/// "pressure 2150 Pa at 0.42 s". Empty for a table without values.
 std::string peak(const std::filesystem::path& table, const std::string& name) {
   std::ifstream in(table);
   std::string line, words;

@@ -117,7 +117,7 @@ int finish(const Report& r, const std::string& table, const Place& place,
 struct Outcome {
   Progress progress;
   std::optional<Scene> scene = {};  // from the first step on
-  std::size_t told = 0;             // warnings
+  std::size_t reported = 0;         // warnings
 
   AfterStep after_step() {
     return [this](const Simulation& sim, double seconds) {
@@ -126,7 +126,7 @@ struct Outcome {
         progress.start(sim);
       }
       progress.update(sim, seconds);
-      while (told < sim.warnings().size()) tell(sim.warnings()[told++], progress);
+      while (reported < sim.warnings().size()) tell(sim.warnings()[reported++], progress);
       if (memory_ran_short()) throw std::bad_alloc();
       return !stop_asked();
     };

@@ -147,7 +147,8 @@ void read_vtk_xml(std::string_view bytes, PointSink& sink) {
   std::uint64_t all = 0;
   for (const pugi::xml_node& element : file.data().children("Piece")) {
     const auto points = count_in(element.attribute("NumberOfPoints").as_string());
-    if (!points) sink.fail("a piece has no NumberOfPoints; save the file again");
+    if (!points)
+      sink.fail("the attribute NumberOfPoints of a piece is missing; save the file again");
     if (*points == 0) continue;  // VTK writes an empty piece for empty data
     all += std::min(*points, bytes.size() * most_deflated + 1);
     if (all > bytes.size() * most_deflated)

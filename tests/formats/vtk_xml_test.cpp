@@ -131,7 +131,7 @@ TEST(VtkXml, In2DMustHaveAHeightOfZero) {
 
 TEST(VtkXml, ReportsInvalidPieces) {
   EXPECT_EQ("a.vtp: error: a piece has no points; save the file again", refused(file_of("")));
-  EXPECT_EQ("a.vtp: error: a piece has no NumberOfPoints; save the file again",
+  EXPECT_EQ("a.vtp: error: the attribute NumberOfPoints of a piece is missing; save the file again",
             refused(file_of("", "many")));
   EXPECT_EQ("a.vtp: error: its points must have 3 components; save the file again",
             refused(file_of("<Points><DataArray>1 2</DataArray></Points>")));

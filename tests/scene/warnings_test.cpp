@@ -17,7 +17,7 @@ std::string dam(const std::string& solver, const std::string& time, const std::s
 }
 
 /// All warnings, or the error.
-std::string told(const std::string& text) {
+std::string warnings_of(const std::string& text) {
   std::string all;
   try {
     for (const Diagnostic& d : scene_warnings(parse_scene(text, "s.toml"))) all += d.text() + "\n";
@@ -34,46 +34,47 @@ bool contains(const std::string& text, const std::string& part) {
 const std::string adaptive = "end = 1.0\nstep = \"adaptive\"\nstep_max = 0.01\n";
 
 TEST(SceneWarnings, SoundSlowerThanFiveTimesAFall) {
-  const std::string slow = told(dam("wcsph\"\nsound_speed = 25.0", adaptive));
+  const std::string slow = warnings_of(dam("wcsph\"\nsound_speed = 25.0", adaptive));
   EXPECT_TRUE(contains(slow,
                        "s.toml:10:15: warning: the speed of sound is 25 m/s, and a fall through "
                        "the domain reaches 6.18"))
       << slow;
   EXPECT_TRUE(contains(slow, "compresses the fluid by about 6.12 %")) << slow;
-  EXPECT_EQ("", told(dam("wcsph\"\nsound_speed = 35.0", adaptive)));
-  EXPECT_EQ("", told(dam("dfsph\"", adaptive)));
+  EXPECT_EQ("", warnings_of(dam("wcsph\"\nsound_speed = 35.0", adaptive)));
+  EXPECT_EQ("", warnings_of(dam("dfsph\"", adaptive)));
 }
 
 TEST(SceneWarnings, SoundThatDoesNotCarryTheWeightIsAnError) {
   const std::string soft = "wcsph\"\nsound_speed = 2.5";
   const std::string longer = "end = 3.0\nstep = \"adaptive\"\nstep_max = 0.01\n";
-  EXPECT_TRUE(contains(told(dam(soft, longer)),
+  EXPECT_TRUE(contains(warnings_of(dam(soft, longer)),
                        "s.toml:10:15: error: solver.sound_speed is 2.5: at rest, the weight"))
-      << told(dam(soft, longer));
-  EXPECT_TRUE(contains(told(dam(soft, adaptive)), "warning: "));  // ends before it settles
-  EXPECT_TRUE(
-      contains(told(dam(soft, longer, "[checks]\nwhen_wrong = \"warn\"\n")), "warning: the speed"));
+      << warnings_of(dam(soft, longer));
+  EXPECT_TRUE(contains(warnings_of(dam(soft, adaptive)), "warning: "));  // ends before it settles
+  EXPECT_TRUE(contains(warnings_of(dam(soft, longer, "[checks]\nwhen_wrong = \"warn\"\n")),
+                       "warning: the speed"));
 }
 
 TEST(SceneWarnings, FixedStepOverItsBound) {
   EXPECT_TRUE(
-      contains(told(dam("wcsph\"", "end = 1.0\nstep = 0.005\n")), "warning: the time step"));
+      contains(warnings_of(dam("wcsph\"", "end = 1.0\nstep = 0.005\n")), "warning: the time step"));
 }
 
 TEST(SceneWarnings, OutputMoreOftenThanTheRealStep) {
   const std::string every = "[output]\nobservables_every = ";
   // step_max is 0.01 s, and the step is 0.0006 s
-  EXPECT_EQ("", told(dam("wcsph\"", adaptive, every + "0.002\n")));
-  EXPECT_TRUE(contains(told(dam("wcsph\"", adaptive, every + "0.0002\n")),
+  EXPECT_EQ("", warnings_of(dam("wcsph\"", adaptive, every + "0.002\n")));
+  EXPECT_TRUE(contains(warnings_of(dam("wcsph\"", adaptive, every + "0.0002\n")),
                        "warning: output.observables_every is 0.0002 s, shorter than the time step, "
                        "about 0.0006386 s"));
-  EXPECT_TRUE(contains(told(dam("wcsph\"", "end = 1.0\nstep = 0.0005\n", every + "0.0002\n")),
-                       "error: output.observables_every"));
+  EXPECT_TRUE(
+      contains(warnings_of(dam("wcsph\"", "end = 1.0\nstep = 0.0005\n", every + "0.0002\n")),
+               "error: output.observables_every"));
 }
 
 TEST(SceneWarnings, ProbeOutsideTheDomain) {
   const auto at = [](const std::string& x) {
-    return told(dam("dfsph\"", adaptive, "[[probe]]\nat = [" + x + ", 0.5]\n"));
+    return warnings_of(dam("dfsph\"", adaptive, "[[probe]]\nat = [" + x + ", 0.5]\n"));
   };
   EXPECT_TRUE(contains(at("4.2"), "warning: this point is outside the domain")) << at("4.2");
   EXPECT_EQ("", at("3.9"));
@@ -81,7 +82,7 @@ TEST(SceneWarnings, ProbeOutsideTheDomain) {
 
 TEST(SceneWarnings, DensityRatioOfPressureSolvers) {
   const auto over = [](const std::string& density, const std::string& solver) {
-    return told(
+    return warnings_of(
         "[domain]\nmax = [1, 1]\n[particles]\nspacing = 0.1\n[[fluid]]\nmin = [0, 0]\n"
         "max = [1, 0.5]\n[[fluid]]\nmin = [0, 0.5]\nmax = [1, 1]\nrest_density = " +
         density + "\n[solver]\nname = \"" + solver + "\"\n[time]\n" + adaptive);
@@ -97,7 +98,7 @@ TEST(SceneWarnings, DensityRatioOfPressureSolvers) {
 
 TEST(SceneWarnings, DeepStillWaterOfDfsph) {
   const auto still = [](const std::string& depth, const std::string& more) {
-    return told(
+    return warnings_of(
         "[domain]\nmax = [1, 6]\n[particles]\nspacing = 0.1\n[fluid]\nmin = [0, 0]\n"
         "max = [1, " +
         depth + "]\npressure = \"hydrostatic\"\n[solver]\nname = \"dfsph\"\n" + more + "[time]\n" +

@@ -33,8 +33,7 @@ template <int D> std::array<double, 2> scaled_kernels(const Scene& s, double sup
   return scaled<D>(W, W, support);
 }
 
-/// Whether kernels of this support are those of a support of 1 m: no number in them overflows or
-/// underflows. Numbers lose bits before they underflow, which four times the support shows.
+/// Whether kernels of this support equal those of a support of 1 m, without overflow or underflow. Numbers lose bits before they underflow, which four times the support shows.
 template <int D> bool kernels_are_normal(const Scene& s, double support) {
   const auto right = scaled_kernels<D>(s, 1);
   bool good = true;
