@@ -8,6 +8,7 @@
 #include "freshet/version.h"
 #include "idle_threads.h"
 #include "memory.h"
+#include "own_fonts.h"
 #include "print.h"
 
 namespace freshet::cli {
@@ -69,6 +70,7 @@ int report_errors(int argc, char** argv) {
 int main(int argc, char** argv) {
   freshet::cli::let_idle_threads_sleep(argc, argv);
   freshet::cli::fill_standard_descriptors();
+  freshet::cli::find_own_fonts();
   freshet::cli::keep_memory_in_reserve();
   // A full disk or a reader that went away is an error that is told, not a signal that kills.
   std::signal(SIGXFSZ, SIG_IGN);

@@ -222,6 +222,7 @@ struct Scene {
     Vector at;                    // point
     Vector from, to;              // line, surface; plane, wall: opposite corners
     std::int64_t count = 2;       // line: number of places, both ends included
+    Vector along;                 // wall in 3D: direction of an edge; edges along axes if empty
     std::optional<double> apart;  // plane: distance of its places [m]; default: particles.spacing
     std::string body;             // name of the body that carries the probe; none if empty
     std::optional<double> every;  // [s]; default: with the observables

@@ -25,6 +25,7 @@ SolverMethod weakly_compressible_method() {
                {"solver.speed_limit", "has none"},
                {"solver.stiffness", "has solver.sound_speed instead"}};
   m.viscosity = ViscosityMethod::artificial;
+  m.walls = WallMethod::adami2012;
   return m;
 }
 

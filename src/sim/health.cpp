@@ -127,21 +127,15 @@ void Health::look(const Moment& now, const ParticleView& fluid,
   if (!scene_.time.adaptive) judge_step(bounds());
   judge_walls(fluid.size());
   judge_density();
-  // A body force, a surface, the wind and walls that slide make any speed and energy.
-  const bool slides = std::any_of(scene_.wall.begin(), scene_.wall.end(),
-                                  [](const Scene::Wall& wall) { return !wall.velocity.empty(); });
+  // A body force, a surface and the wind make any speed and energy.
   const bool driven = intervened_ || !scene_.domain.body_force.empty() ||
-                      scene_.air.drag != Drag::none || slides ||
+                      scene_.air.drag != Drag::none ||
                       scene_.solver.surface_tension_method != SurfaceTensionMethod::none;
-  const auto has = [this](BodyMotion motion) {
-    return std::any_of(scene_.body.begin(), scene_.body.end(),
-                       [=](const Scene::Body& body) { return body.motion == motion; });
-  };
-  // What moves the fluid makes any speed and energy; bodies that fall give it theirs.
-  if (!driven && !has(BodyMotion::moved)) {
-    judge_speed();
-    if (!has(BodyMotion::free)) judge_energy();
-  }
+  const bool falls = std::any_of(scene_.body.begin(), scene_.body.end(), [](const auto& body) {
+    return body.motion == BodyMotion::free;  // and gives the fluid its energy
+  });
+  if (!driven) judge_speed();
+  if (!driven && !falls) judge_energy();
   if (!intervened_) judge_stillness();
   judge_solves(solves, bounds);
   for (std::size_t k = 0; k < record_.tracks.size(); ++k) {
@@ -231,7 +225,7 @@ void Health::judge_density() {
 void Health::judge_speed() {
   static constexpr Rule all{"speed", 0.3, 1, true, true};
   static constexpr Rule one{"fastest particle", 1, never, true, false};
-  const double sound = derived_.sound_speed;
+  const double sound = sound_speed();
   if (!(sound > 0)) return;  // nothing moves the fluid, so that there is no measure
   judge(all, now_.agitation / sound, [&] {
     return fmt::format(
@@ -250,7 +244,7 @@ void Health::judge_speed() {
 void Health::judge_energy() {
   static constexpr Rule keeps{"energy", 0.5, 10, true, true};
   static constexpr Rule boils{"energy", 0.5, 10, false, true};
-  if (falls_for_ever(scene_) || !(derived_.sound_speed > 0)) return;
+  if (falls_for_ever(scene_) || !(sound_speed() > 0)) return;
   const bool linear = scene_.method().pressure == PressureFamily::linear;
   const double made = now_.kinetic + now_.potential - start_energy_;
   const double share = made / energy_available();
@@ -301,10 +295,19 @@ void Health::judge_solves(const std::vector<SolveStatistics>& solves,
 }
 
 /// What the start had, that a fall to the bottom and a relaxing of the first densities give, and
-/// sound waves that change the density by 1 % [J/kg].
+/// sound waves that change the density by 1 %. What a moved solid may give as well: it lifts all
+/// fluid to the top of the domain and throws it at four times its own speed [J/kg].
 double Health::energy_available() const {
-  const double c2 = derived_.sound_speed * derived_.sound_speed;
-  return start_available_ + c2 / 2 * (record_.first_compression + 0.01 * 0.01);
+  const double c2 = square(sound_speed());
+  const double driven =
+      drive_speed_ > 0 ? square(fall_speed(scene_)) / 2 + square(4 * drive_speed_) / 2 : 0;
+  return start_available_ + 2 * driven + c2 / 2 * (record_.first_compression + 0.01 * 0.01);
+}
+
+/// Without sound the nominal one: ten times the fastest that moves the fluid [m/s].
+double Health::sound_speed() const {
+  const double nominal = scene_.method().incompressible() ? 10 * drive_speed_ : 0;
+  return std::max(derived_.sound_speed, nominal);
 }
 
 void Health::fail_for_lost() const {

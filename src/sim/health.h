@@ -87,6 +87,7 @@ class Health {
   std::int64_t steps_since_last() const;
 
   double energy_available() const;
+  double sound_speed() const;
   double reference_speed() const;
   std::string when() const;
   std::string place(const Witness& particle) const;

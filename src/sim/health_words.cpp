@@ -35,12 +35,14 @@ std::string Health::last_fastest() const {
   return fmt::format("at step {} {}", record_.last_step, fastest({p.id, p.x, p.value}));
 }
 
-/// What speeds are compared with. Without sound a tenth of the nominal one: see Derived.
+/// What speeds are compared with. Without sound a tenth of the nominal one.
 const char* Health::reference() const {
-  return scene_.method().incompressible() ? "the start or a fall through the domain" : "sound";
+  if (!scene_.method().incompressible()) return "sound";
+  return sound_speed() > derived_.sound_speed ? "the fastest solid"
+                                              : "the start or a fall through the domain";
 }
 double Health::times_reference(double speed) const {
-  return speed / derived_.sound_speed * (scene_.method().incompressible() ? 10 : 1);
+  return speed / sound_speed() * (scene_.method().incompressible() ? 10 : 1);
 }
 
 /// What to do where no cause is known.

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/in_3d.h"
 #include "core/rotation.h"
 #include "scene/model/body_shape.h"
+#include "scene/model/probe_patch.h"
 #include "scene/model/probe_plane.h"
 
 namespace freshet {
@@ -52,25 +54,6 @@ std::vector<Vector> places_of(const Scene& s, const Scene::Probe& p) {
       break;
   }
   return along_line(p, 1 + std::int64_t(steps_of_surface(s, p)));
-}
-
-WallPatch patch_of(const Scene::Probe& p) {
-  const std::size_t n = p.from.size();
-  WallPatch patch{p.from, p.from, std::vector<Vector>(n, Vector(n, 0.0))};
-  for (std::size_t d = 0; d < n; ++d) {
-    patch.center[d] = (p.from[d] + p.to[d]) / 2;
-    patch.half[d] = std::abs(p.to[d] - p.from[d]) / 2;
-    patch.axes[d][d] = 1;
-  }
-  return patch;
-}
-
-Vec<3, double> in_3d(const Vector& x) { return {x[0], x[1], x.size() > 2 ? x[2] : 0}; }
-
-Vector in_scene(Vec<3, double> x, std::size_t dimension) {
-  Vector all{x.x, x.y, x.z};
-  all.resize(dimension);
-  return all;
 }
 
 }  // namespace

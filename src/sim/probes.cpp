@@ -12,6 +12,7 @@
 #include "core/text.h"
 #include "kernels/cubic_spline.h"
 #include "kernels/lattice_sum.h"
+#include "scene/model/probe_patch.h"
 #include "scene/sample/places.h"
 #include "sim/probe_places.h"
 
@@ -151,6 +152,16 @@ double reach(const Scene::Probe& p, const std::vector<FluidReading>& readings) {
   return 0;
 }
 
+/// A traction along the axes of the scene, or of the body at the start, from that along the axes of
+/// the probe's piece of wall.
+Vector along_axes(const Scene::Probe& probe, const Vector& on_patch) {
+  const WallPatch patch = patch_of(probe);
+  Vector all(on_patch.size(), 0.0);
+  for (std::size_t k = 0; k < on_patch.size(); ++k)
+    for (std::size_t d = 0; d < all.size(); ++d) all[d] += on_patch[k] * patch.axes[k][d];
+  return all;
+}
+
 std::vector<Probes::Reading> field_readings(const std::vector<Vector>& at,
                                             const std::vector<FluidReading>& readings) {
   std::vector<Probes::Reading> all;
@@ -227,7 +238,7 @@ std::vector<std::vector<Probes::Reading>> Probes::measure(const Simulation& sim)
     const std::vector<FluidReading> own(from, from + std::ptrdiff_t(at[k].size()));
     from += std::ptrdiff_t(at[k].size());
     const Scene::Probe& probe = parts_->scene.probe[k];
-    if (probe.kind == ProbeKind::wall) all.push_back({{{}, *traction++}});
+    if (probe.kind == ProbeKind::wall) all.push_back({{{}, along_axes(probe, *traction++)}});
     else if (probe.kind == ProbeKind::surface) all.push_back({{{}, {reach(probe, own)}}});
     else all.push_back(field_readings(at[k], own));
   }

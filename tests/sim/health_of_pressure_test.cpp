@@ -6,6 +6,7 @@
 
 #include "freshet/real.h"
 #include "io/checkpoint.h"
+#include "scene/model/expressions.h"
 #include "sim/pool.h"
 
 namespace freshet::test {
@@ -170,6 +171,33 @@ TEST(HealthOfPressureSolvers, MessagesDoNotMentionSound) {
                   "times as fast as the start or a fall through the domain, at step 10");
   one.v.assign(one.v.size(), 1000);
   expect_no_sound(one.failure(20), " J/kg of energy came from nowhere");
+}
+
+/// The fluid of PressurePool, and a body that moves along x by this function of time.
+Pool with_moved_body(const std::string& x) {
+  return Pool("[[body]]\nmin = [0.6, 0.2]\nmax = [0.8, 0.4]\nmotion = \"moved\"\nposition = [\"" +
+                  x + "\", \"0\"]\n",
+              weightless, fixed, "velocity = [20, 0]\n[solver]\nname = \"iisph\"\n");
+}
+
+TEST(HealthOfPressureSolvers, ComparesWithTheFastestMovedBody) {
+  if (!reads_expressions()) GTEST_SKIP() << "built without muParser";
+  Pool slow = with_moved_body("0.01*t");
+  shake(slow, 59);
+  slow.look(10);
+  EXPECT_EQ("energy", slow.warning().kind);        // as without the body
+  Pool fast = with_moved_body("0.01*sin(1e4*t)");  // 100 m/s
+  shake(fast, 290);
+  fast.look(10);
+  EXPECT_TRUE(fast.warnings().empty());
+  shake(fast, 310);
+  fast.look(20);
+  EXPECT_EQ("speed", fast.warning().kind);
+  EXPECT_TRUE(contains(fast.warning().message, ", 3.1 times the speed of the fastest solid, "))
+      << fast.warning().message;
+  shake(fast, 600);
+  fast.look(30);
+  EXPECT_EQ("energy", fast.warnings().at(1).kind);
 }
 
 TEST(HealthOfPressureSolvers, NamesTheCauseOfAVanishingStep) {

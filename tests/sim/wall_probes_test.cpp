@@ -126,6 +126,46 @@ TEST(WallProbe, PatchMovesWithABody) {
   EXPECT_EQ(0, patches[0].half[0]);
 }
 
+// Water 0.5 m deep on a slope of 45 degrees, which rises from (0.6, 0).
+TEST(WallProbe, MeasuresHydrostaticPressureOnASlope) {
+  Simulation sim = simulation_of(
+      "[domain]\nmax = [1.4, 0.8]\n[particles]\nspacing = 0.025\n[fluid]\nmin = [0, 0]\nmax = "
+      "[1.4, 0.5]\npressure = \"hydrostatic\"\n[[wall]]\nshape = \"plane\"\npoint = [0.6, "
+      "0]\nnormal = [-1, 1]\nslip = \"free_slip\"\n[[probe]]\nkind = \"wall\"\nfrom = [0.7, "
+      "0.1]\nto = [0.9, 0.3]\n[walls]\nslip = \"free_slip\"\n[solver]\nname = "
+      "\"delta_sph\"\nsound_speed = 30\n[time]\nend = 2\nstep = \"adaptive\"\nstep_max = "
+      "0.002\n");
+  double x = 0, y = 0;
+  int counted = 0;
+  while (sim.time() < 2) {
+    sim.step();
+    if (sim.time() < 1) continue;
+    const auto told = look(sim);
+    x += told[0][1];
+    y += told[0][2];
+    ++counted;
+  }
+  const double p = 9810 * 0.3 * std::sqrt(0.5);
+  EXPECT_NEAR(1, x / counted / p, 0.05);
+  EXPECT_NEAR(-1, y / counted / p, 0.05);
+}
+
+TEST(WallProbe, PatchIsAnInclinedRectangle) {
+  const Simulation sim = simulation_of(
+      "[domain]\nmax = [1, 1, 1]\n[particles]\nspacing = 0.1\n[fluid]\nmin = [0, 0, 0]\nmax = [1, "
+      "0.3, 1]\n[[probe]]\nkind = \"wall\"\nfrom = [0, 0, 0.4]\nto = [0.3, 0.4, 1]\nalong = [3, "
+      "4, 0]\n[solver]\nname = \"dfsph\"\n[time]\nend = 1\nstep = 1e-3\n");
+  const WallPatch patch = ProbePlaces(sim.scene()).patches({}).at(0);
+  EXPECT_NEAR(0.25, patch.half[0], 1e-12);
+  EXPECT_NEAR(0.3, patch.half[1], 1e-12);
+  EXPECT_EQ(0, patch.half[2]);
+  EXPECT_NEAR(0.6, patch.axes[0][0], 1e-12);
+  EXPECT_NEAR(0.8, patch.axes[0][1], 1e-12);
+  EXPECT_NEAR(1, patch.axes[1][2], 1e-12);
+  EXPECT_NEAR(0.2, patch.center[1], 1e-12);
+  EXPECT_NEAR(0.7, patch.center[2], 1e-12);
+}
+
 TEST(WallProbe, WarnsIfThereIsNoWall) {
   const auto warnings = [](const char* place) {
     const std::string probe = std::string("[[probe]]\nkind = \"wall\"\nfrom = [") + place +

@@ -5,6 +5,7 @@
 #include "scene/check/findings.h"
 #include "scene/check/names.h"
 #include "scene/keys/keys.h"
+#include "scene/model/probe_patch.h"
 #include "scene/model/probe_plane.h"
 #include "scene/model/setup.h"
 #include "scene/sample/sample_walls.h"
@@ -45,6 +46,11 @@ void check_vectors(const Scene& s, const Scene::Probe& p, const std::string& at,
   if (p.kind != ProbeKind::line)
     out.unused(at + "count", "probe.count",
                fmt::format("a {} has no count; remove it, or choose kind = \"line\"", kind));
+  if (p.kind != ProbeKind::wall || s.dimension() == 2)
+    out.unused(at + "along", "probe.along",
+               p.kind == ProbeKind::wall
+                   ? "in 2D a piece of wall is the segment from probe.from to probe.to; remove it"
+                   : fmt::format("a {} has no edges; remove it, or choose kind = \"wall\"", kind));
   if (p.kind != ProbeKind::plane)
     out.unused(at + "apart", "probe.apart",
                fmt::format("a {} is not a plane; remove it, or choose kind = \"plane\"", kind));
@@ -63,7 +69,6 @@ bool check_corners(const Scene& s, const Scene::Probe& p, std::size_t wanted, co
                         "{}",
                         axes, axes == 1 ? "axis" : "axes",
                         p.kind == ProbeKind::plane ? "opposite corners of a plane"
-                        : n == 2                   ? "the ends of a wall segment"
                                                    : "opposite corners of a wall rectangle",
                         wanted == 1 ? "one" : "two"));
   return false;
@@ -100,9 +105,33 @@ bool has_samples(const Scene& s) {
   return any;
 }
 
+/// The edges of a rectangle on a wall in 3D: parallel to the axes, or one of them to probe.along.
+bool check_rectangle(const Scene& s, const Scene::Probe& p, const std::string& at, Findings& out) {
+  if (p.from.size() != 3 || p.to.size() != 3 || p.from == p.to) return false;  // told of already
+  if (p.along.empty()) {
+    if (p.from[0] == p.to[0] || p.from[1] == p.to[1] || p.from[2] == p.to[2])
+      return check_corners(s, p, 2, at, out);
+    out.error(at + "along",
+              "probe.from and probe.to differ along all three axes, and the edges of a rectangle "
+              "between them have no direction; set probe.along to the direction of one edge");
+    return false;
+  }
+  if (p.along.size() != 3 || p.along == Vector(3, 0.0)) {
+    out.error(at + "along", "probe.along must be 3 numbers that are not all 0");
+    return false;
+  }
+  const WallPatch patch = patch_of(p);
+  const double shortest = 1e-6 * std::max(patch.half[0], patch.half[1]);
+  if (patch.half[0] > shortest && patch.half[1] > shortest) return true;
+  out.error(at + "along",
+            "probe.to differs from probe.from only along probe.along or only across it; a "
+            "rectangle on a wall needs opposite corners; move one of them");
+  return false;
+}
+
 /// A wall probe must be a rectangle (in 2D a segment), and needs walls with boundary particles.
 void check_wall(const Scene& s, const Scene::Probe& p, const std::string& at, Findings& out) {
-  if (!check_corners(s, p, std::size_t(s.dimension() - 1), at, out)) return;
+  if (s.dimension() == 3 && !check_rectangle(s, p, at, out)) return;
   if (!has_samples(s))
     out.error(at + "kind",
               fmt::format("probe.kind is \"wall\", which needs boundary particles, and no wall has "

@@ -5,6 +5,7 @@
 #include "scene/check/findings.h"
 #include "scene/check/names.h"
 #include "scene/keys/keys.h"
+#include "scene/model/loaded_mesh.h"
 #include "scene/model/setup.h"
 #include "scene/model/solid_of.h"
 
@@ -87,23 +88,23 @@ bool check_method_of(const Scene& s, std::size_t k, const std::string& at, Findi
     out.error(key, fmt::format("wall.method is \"{}\", and points need \"akinci2012\"{} or "
                                "\"monaghan2009\"; choose one",
                                word_of(m), s.method().incompressible() ? "" : ", \"adami2012\""));
-  else if (is_mesh(w) && w.shape != Shape::mesh && !is_sampled(m))
+  else if (is_mesh(w) && !is_sampled(m))
     out.error(key,
               fmt::format("wall.method is \"{}\", and {} needs boundary particles; choose "
                           "\"akinci2012\"{} or \"monaghan2009\"{}",
-                          word_of(m), w.shape == Shape::box ? "a turned box" : "a polygon",
+                          word_of(m),
+                          w.shape == Shape::box    ? "a turned box"
+                          : w.shape == Shape::mesh ? "a mesh"
+                                                   : "a polygon",
                           s.method().incompressible() ? "" : ", \"adami2012\"",
                           s.method().has_boundary_particles()
                               ? ""
                               : fmt::format(", and another solver.name than {}", s.method().name)));
-  else if (w.shape == Shape::mesh && m != WallMethod::akinci2012 && m != WallMethod::monaghan2009)
+  else if (w.shape == Shape::mesh && m == WallMethod::adami2012 && w.loaded &&
+           !w.loaded->condition.closed())
     out.error(key,
-              fmt::format("wall.method is \"{}\", and meshes are sampled in one layer; choose "
-                          "\"akinci2012\" or \"monaghan2009\"{}",
-                          word_of(m),
-                          s.method().has_boundary_particles()
-                              ? ""
-                              : fmt::format(", and another solver.name than {}", s.method().name)));
+              "wall.method is \"adami2012\", which needs a solid behind the surface, and the mesh "
+              "has holes; close the mesh, or choose \"akinci2012\" or \"monaghan2009\"");
   else if (m == WallMethod::open)
     out.error(key,
               "wall.method is \"open\", which has no effect; remove the wall or choose "

@@ -5,22 +5,28 @@
 #include <cmath>
 
 #include "scene/check/findings.h"
+#include "scene/model/probe_patch.h"
+#include "scene/model/setup.h"
 #include "scene/sample/sample_bodies.h"
 #include "scene/sample/sample_walls.h"
 
 namespace freshet {
 namespace {
 
-/// Whether a boundary particle is close enough to act on the probe's piece of wall.
-template <class R> bool reaches(const Scene& s, const Scene::Probe& p, const std::vector<R>& x) {
+/// Whether a boundary particle is close enough to act on the probe's piece of wall. x: their
+/// positions relative to `origin`.
+template <class R>
+bool reaches(const Scene& s, const Scene::Probe& p, const std::vector<R>& x, const Triple& origin) {
   const auto n = std::size_t(s.dimension());
   const double reach = support_radius(s), half_cell = s.particles.spacing / 2;
+  const WallPatch patch = patch_of(p);
   for (std::size_t i = 0; i < x.size(); i += n) {
     bool near = true;
-    for (std::size_t d = 0; d < n; ++d) {
-      const auto [low, high] = std::minmax(p.from[d], p.to[d]);
-      const double room = low == high ? reach : half_cell, at = double(x[i + d]);
-      near = near && at > low - room && at < high + room;
+    for (std::size_t k = 0; k < n; ++k) {
+      double along = 0;
+      for (std::size_t d = 0; d < n; ++d)
+        along += (double(x[i + d]) + origin[d] - patch.center[d]) * patch.axes[k][d];
+      near = near && std::abs(along) < patch.half[k] + (patch.half[k] > 0 ? half_cell : reach);
     }
     if (near) return true;
   }
@@ -61,11 +67,12 @@ std::vector<Diagnostic> probe_warnings(const Scene& s) {
   Sample all;
   if (s.dimension() == 2) sample_walls<2>(s, all), sample_bodies<2>(s, all);
   else sample_walls<3>(s, all), sample_bodies<3>(s, all);
+  const Triple origin = origin_of(s);
   for (std::size_t k = 0; k < s.probe.size(); ++k) {
     const Scene::Probe& p = s.probe[k];
-    if (p.kind != ProbeKind::wall || reaches(s, p, all.akinci2012.x) ||
-        reaches(s, p, all.adami2012.x) || reaches(s, p, all.monaghan2009.x) ||
-        reaches(s, p, all.bodies.x))
+    if (p.kind != ProbeKind::wall || reaches(s, p, all.akinci2012.x, origin) ||
+        reaches(s, p, all.adami2012.x, origin) || reaches(s, p, all.monaghan2009.x, origin) ||
+        reaches(s, p, all.bodies.x, Triple{}))
       continue;
     list.push_back({Diagnostic::Severity::warning, place_of(s, fmt::format("probe[{}].from", k)),
                     fmt::format("no boundary particle is within the support radius, {:.4g} m, of "

@@ -139,7 +139,8 @@ void wall_keys(KeyVisitor& v, Scene::Wall& w) {
            {.unit = "",
             .text = "method of the wall, see [walls]; `ghost` only for a plane and the inside of a "
                     "box; points only with `monaghan2009`, `akinci2012` or `adami2012`",
-            .fallback = "`reflection` for `mueller2003`, else `akinci2012`"});
+            .fallback = "as for walls.method; `akinci2012` in place of `adami2012` for points "
+                        "and for meshes with holes"});
   wall_surface_keys(v, w.slip, w.restitution);
   v.vector("velocity", w.velocity,
            {.unit = "m/s",
@@ -151,7 +152,8 @@ void walls_keys(KeyVisitor& v, Scene::Walls& w) {
   v.choice("method", w.method, method_words,
            {.unit = "",
             .text = "method of the sides that are not set below",
-            .fallback = "`reflection` for `mueller2003`, else `akinci2012`"});
+            .fallback = "`reflection` for `mueller2003`, `adami2012` for `wcsph` and `delta_sph`, "
+                        "else `akinci2012`"});
   const auto side = [&](const char* name, std::optional<WallMethod>& method, const char* text) {
     v.choice(name, method, method_words, {.unit = "", .text = text, .fallback = "walls.method"});
   };
@@ -309,7 +311,8 @@ the choices.
 - `monaghan2009`: boundary particles that repel, after Monaghan & Kajtar 2009.
 - `akinci2012`: boundary particles after Akinci et al. 2012.
 - `adami2012`: layers of boundary particles after Adami et al. 2012, not with the
-  pressure solvers. If it is `walls.method`, bodies are made of such layers, too.)",
+  pressure solvers. If it is `walls.method` or its default, bodies are made of such
+  layers, too.)",
             [&] { walls_keys(v, s.walls); });
   v.section("time", "Duration and time step.", [&] {
     v.number("end", s.time.end,

@@ -12,6 +12,10 @@ void probe_keys(KeyVisitor& v, Scene::Probe& p) {
   v.vector(
       "to", p.to,
       {.unit = "m", .text = "end of a line; opposite corner of a rectangle", .fallback = "none"});
+  v.vector("along", p.along,
+           {.unit = "",
+            .text = "direction of one edge of an inclined `wall` rectangle in 3D; any length",
+            .fallback = "the edges are parallel to the axes"});
   v.integer("count", p.count,
             {.unit = "",
              .text = "number of points of a `line`, including both ends",

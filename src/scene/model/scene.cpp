@@ -16,6 +16,16 @@ std::int64_t Scene::steps() const {
                        : std::llround(time.end / time.step);
 }
 
+namespace {
+
+/// Points and meshes with holes bound no solid that could hold layers of boundary particles.
+bool holds_layers(const Scene::Wall& w) {
+  return w.shape != Shape::points &&
+         (w.shape != Shape::mesh || !w.loaded || w.loaded->condition.closed());
+}
+
+}  // namespace
+
 WallMethod Scene::side_method(int side) const {
   const std::optional<WallMethod> given[] = {walls.x_min, walls.x_max, walls.y_min,
                                              walls.y_max, walls.z_min, walls.z_max};
@@ -23,7 +33,9 @@ WallMethod Scene::side_method(int side) const {
 }
 
 WallMethod Scene::wall_method(std::size_t k) const {
-  return wall[k].method.value_or(method().walls);
+  const WallMethod usual = method().walls;
+  const bool too_thin = usual == WallMethod::adami2012 && !holds_layers(wall[k]);
+  return wall[k].method.value_or(too_thin ? WallMethod::akinci2012 : usual);
 }
 
 Integrator Scene::integrator() const { return time.integrator.value_or(method().integrator); }
@@ -73,7 +85,8 @@ double density_tolerance(const Scene& s) {
 }
 
 WallMethod body_method(const Scene& s) {
-  return s.walls.method == WallMethod::adami2012 ? WallMethod::adami2012 : WallMethod::akinci2012;
+  const bool layers = s.walls.method.value_or(s.method().walls) == WallMethod::adami2012;
+  return layers ? WallMethod::adami2012 : WallMethod::akinci2012;
 }
 
 bool Scene::has_flows() const {

@@ -47,7 +47,7 @@ double single_layer_distance(const Scene& scene);
 /// the layer is closer than single_layer_distance().
 double single_layer_volume(const Scene& scene, double distance);
 
-/// The method of body particles: adami2012 if walls.method is adami2012, else akinci2012.
+/// The method of body particles: adami2012 if that is walls.method or its default, else akinci2012.
 WallMethod body_method(const Scene& scene);
 
 /// The point from which an engine measures positions [m]. It is 0 along an axis where the domain is

@@ -114,8 +114,12 @@ template <int D> Room<D> domain_and_support(const Scene& s) {
 /// Points behind the surface. A mesh with holes has no inside; its points are on the surface.
 std::vector<Vec<3, double>> mesh_samples(const Scene& s, std::size_t wall) {
   const Scene::Wall& w = s.wall[wall];
-  const double depth = s.wall_method(wall) == WallMethod::akinci2012 ? AkinciLayer(s).depth()
-                                                                     : s.particles.spacing / 2;
+  const WallMethod method = s.wall_method(wall);
+  if (method == WallMethod::adami2012)
+    return layers_behind(w.loaded->distance, s.particles.spacing, wall_layers(s, method),
+                         w.side == Side::inside);
+  const double depth =
+      method == WallMethod::akinci2012 ? AkinciLayer(s).depth() : s.particles.spacing / 2;
   const double inwards = w.side == Side::outside ? depth : -depth;
   return points_behind(w.loaded->distance, s.particles.spacing,
                        w.loaded->condition.closed() ? inwards : 0);
