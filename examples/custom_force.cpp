@@ -25,7 +25,7 @@ int main() {
     });
     while (!sim.finished()) sim.step();
     const freshet::Statistics s = sim.statistics();
-    std::printf("momentum after %.1f s: (%.2f, %.2f) kg m/s\n", sim.time(), s.momentum[0],
+    std::printf("momentum after %.1f s: (%.2f, %.2f) (kg m/s)/m\n", sim.time(), s.momentum[0],
                 s.momentum[1]);
   } catch (const freshet::Error& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <vector>
 
+#include "freshet/units.h"
 #include "progress.h"
 
 namespace freshet::cli {
@@ -92,7 +93,9 @@ class Table {
     if (wants("out of bounds") || t.out_of_bounds > 0)
       checked("out of bounds", fmt::format("{} of {}", t.out_of_bounds, t.particles));
     else row("particles", std::to_string(t.particles));
-    if (wants("density mean")) checked("density mean", fmt::format("{:.5f} kg/m²", t.density_mean));
+    if (wants("density mean"))
+      checked("density mean",
+              fmt::format("{:.5f} {}", t.density_mean, raised_unit(units_.density)));
     if (s_.is_article())
       row("density min, max", fmt::format("{:.5f}, {:.5f}", t.density_min, t.density_max));
     else
@@ -101,8 +104,8 @@ class Table {
     checked("speed mean", fmt::format("{:.6f} m/s", t.speed_mean));
     row("speed max", fmt::format("{:.6f} m/s", t.speed_max));
     if (wants("height mean")) checked("height mean", fmt::format("{:.6f} m", t.height_mean));
-    row("energy",
-        fmt::format("{:.5g} J kinetic, {:.5g} J potential", t.kinetic_energy, t.potential_energy));
+    row("energy", fmt::format("{:.5g} {} kinetic, {:.5g} {} potential", t.kinetic_energy,
+                              units_.energy, t.potential_energy, units_.energy));
   }
   void picture() {
     checked("bright pixels",
@@ -111,22 +114,21 @@ class Table {
     row("bottom third", fmt::format("{} pixels", r_.picture.bottom_third));
   }
   void forces() {
-    const char* unit = s_.dimension() == 3 ? "N" : "N/m";
     for (const auto& [name, force] : r_.wall_forces)
       if (std::any_of(force.begin(), force.end(), [](double f) { return f != 0; }))
-        row("force on " + name, fmt::format("{} {}", vector_words(force), unit));
+        row("force on " + name, fmt::format("{} {}", vector_words(force), units_.force));
     for (const auto& [name, body] : r_.bodies) {
       const auto n = std::ptrdiff_t(s_.dimension());
       row("body " + name,
           fmt::format("at {} m, force {} {}",
                       vector_words({body.position.begin(), body.position.begin() + n}),
-                      vector_words({body.force.begin(), body.force.begin() + n}), unit));
+                      vector_words({body.force.begin(), body.force.begin() + n}), units_.force));
     }
   }
   void flows() {
     for (const Flow& flow : r_.flows)
       row(flow.kind + " " + flow.name,
-          fmt::format("{:.6g} {}, {} particles{}", flow.volume, s_.dimension() == 3 ? "m³" : "m²",
+          fmt::format("{:.6g} {}, {} particles{}", flow.volume, raised_unit(units_.volume),
                       flow.particles,
                       flow.waiting > 0 ? fmt::format(", {} wait", flow.waiting) : ""));
   }
@@ -142,6 +144,7 @@ class Table {
 
   const Scene& s_;
   const Report& r_;
+  const Units units_ = units_in(s_.dimension());
   std::string text_;
 };
 

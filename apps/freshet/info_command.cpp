@@ -9,6 +9,7 @@
 #include "freshet/checkpoint_file.h"
 #include "freshet/derived.h"
 #include "freshet/simulation.h"
+#include "freshet/units.h"
 #include "machine.h"
 #include "print.h"
 #include "progress.h"
@@ -117,17 +118,16 @@ std::string particles_row(const Derived& d) {
 }
 
 std::string fluid_row(const Scene& s, const DerivedFluid& f) {
-  const char* unit = s.dimension() == 3 ? "m³" : "m²";
-  return fmt::format("{:.4g} {} filled{}", f.filled, unit,
-                     f.asked ? fmt::format(" of {:.4g} {} ({:+.1f} %)", *f.asked, unit,
-                                           100 * f.error())
-                             : "");
+  const std::string unit = raised_unit(units_in(s.dimension()).volume);
+  return fmt::format(
+      "{:.4g} {} filled{}", f.filled, unit,
+      f.asked ? fmt::format(" of {:.4g} {} ({:+.1f} %)", *f.asked, unit, 100 * f.error()) : "");
 }
 
 std::string inlet_row(const Scene& s, const DerivedInlet& in) {
   return fmt::format(
       "{}: {:.4g} {} at {:.4g} m/s, {:.0f} particles a layer, {:.4g} layers a second", in.name,
-      in.rate, s.dimension() == 3 ? "m³/s" : "m²/s", in.speed, in.particles,
+      in.rate, raised_unit(units_in(s.dimension()).flow_rate), in.speed, in.particles,
       in.speed / s.particles.spacing);
 }
 
@@ -160,7 +160,8 @@ void info(const SceneArguments& a) {
   const Scene s = a.load();
   const Derived d = derive(s);
   const int threads = thread_count(a.threads, d.most_particles);
-  const char* density = s.dimension() == 3 ? "kg/m³" : "kg/m²";
+  const Units units = units_in(s.dimension());
+  const std::string density = raised_unit(units.density);
   print_out("{}\n", printable(s.title.empty() ? a.name : s.title));
   row("dimension", fmt::format("{}D", s.dimension()));
   row("particles", particles_row(d));
@@ -176,7 +177,7 @@ void info(const SceneArguments& a) {
   row("lattice errors",
       fmt::format("density {:+.1f} %{}, pressure gradient {:+.1f} %", 100 * d.density_error,
                   s.particles.mass ? "" : " (divided out)", 100 * d.gradient_error));
-  row("mass", fmt::format("{:.6g} kg{}", d.mass, s.particles.mass ? " (given)" : ""));
+  row("mass", fmt::format("{:.6g} {}{}", d.mass, units.mass, s.particles.mass ? " (given)" : ""));
   row("density at rest", fmt::format("{:.6g} {} where the lattice is whole; rest density {:g} {}",
                                      d.mass / std::pow(d.spacing, s.dimension()) *
                                          (1 + d.density_error) / d.lattice_sum,
@@ -197,7 +198,7 @@ void info(const SceneArguments& a) {
                               d.inlets.empty() ? "" : "; more with what comes in"));
   row("memory", fmt::format("{}B", short_number(peak_memory())));
   row("disk", disk_row(d) + fmt::format("; {}B for two checkpoints",
-                                           short_number(2 * cost.checkpoint_bytes)));
+                                        short_number(2 * cost.checkpoint_bytes)));
   print_diagnostics(scene_warnings(s));
 }
 

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "freshet/units.h"
 #include "print.h"
 
 namespace freshet::cli {
@@ -158,10 +159,10 @@ void Progress::show(const Simulation& sim, double seconds) {
     event(json_text(json));
     return;
   }
-  std::string facts =
-      fmt::format("{:.4g} of {:.4g} s  {} steps/s  {} particle-steps/s  ETA {}  energy {:.4g} J",
-                  sim.time(), sim.scene().time.end, short_number(rate), short_number(particle_rate),
-                  duration(eta), s.kinetic_energy + s.potential_energy);
+  std::string facts = fmt::format(
+      "{:.4g} of {:.4g} s  {} steps/s  {} particle-steps/s  ETA {}  energy {:.4g} {}", sim.time(),
+      sim.scene().time.end, short_number(rate), short_number(particle_rate), duration(eta),
+      s.kinetic_energy + s.potential_energy, units_in(sim.scene().dimension()).energy);
   for (const SolveStatistics& solve : sim.solves())
     facts += fmt::format("  {} {:.3g} iterations", solve.name, iterations_since_shown(solve));
   if (const auto retried = sim.time_steps().retried)

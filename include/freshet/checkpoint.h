@@ -20,7 +20,7 @@ struct WatchRecord {
   struct Particle {
     std::uint64_t id;
     std::array<double, 3> x;  ///< [m]
-    double value;             ///< density [kg/m^D] or speed [m/s]
+    double value;             ///< density [kg/m^3] or speed [m/s]
   };
   std::vector<Warning> warnings;
   std::vector<Track> tracks;  ///< one per warning

@@ -38,10 +38,10 @@ struct Derived {
   std::int64_t data_frames;        ///< frames that a run writes as data files
   double data_bytes;               ///< approximate total size of the data files
   double support_radius, spacing;  ///< [m]
-  double rest_density;             ///< of the densest liquid [kg/m^D]
+  double rest_density;             ///< of the densest liquid [kg/m^3]
   double lightness;                ///< maximum over minimum rest density of the liquids, >= 1
   double viscosity;       ///< maximum kinematic viscosity of the liquids times rest_density [Pa s]
-  double mass;            ///< rest_density · spacing^D, or particles.mass (scheme article) [kg]
+  double mass;            ///< rest_density · spacing^D, or particles.mass [kg; kg/m in 2D]
   double lattice_sum;     ///< divisor of density sums; 1 where particles.mass is set
   double density_error;   ///< relative error of the undivided density sum over the resting lattice
   double gradient_error;  ///< relative error of the discrete gradient of a linear field on the

@@ -15,7 +15,7 @@ struct BodyState {
   std::array<double, 3> velocity{};               ///< of the centre of mass [m/s]
   std::array<double, 3> angular_velocity{};       ///< [rad/s]
   /// Force and torque of the fluid over the last step, about the centre of mass
-  /// [N, N m; in 2D N/m, N]
+  /// [N, N m; in 2D N/m, N m/m]
   std::array<double, 3> force{}, torque{};
 };
 
@@ -28,7 +28,7 @@ struct Frame {
   std::vector<std::uint64_t> id;
   std::vector<float> x, v;               ///< `dimension` numbers per particle: [m], [m/s]
   std::vector<float> density, pressure;  ///< one number per particle, computed in the last step:
-                                         ///< [kg/m^D], [Pa; N/m in 2D]
+                                         ///< [kg/m^3], [Pa]
   std::vector<int> liquid;               ///< index in Scene::liquids(); empty for one liquid
   std::vector<BodyState> bodies;         ///< in the order of Scene::body
   std::size_t size() const { return id.size(); }

@@ -17,8 +17,8 @@ struct ParticleView {
   int dimension = 2;
   std::span<const std::uint64_t> id;
   std::span<const Real> x, v;      ///< position [m], velocity [m/s]
-  std::span<const Real> density;   ///< [kg/m^D], computed in the last step; initially rest density
-  std::span<const Real> pressure;  ///< [Pa; N/m in 2D], computed in the last step
+  std::span<const Real> density;   ///< [kg/m^3], computed in the last step; initially rest density
+  std::span<const Real> pressure;  ///< [Pa], computed in the last step
   std::span<const int> liquid;     ///< index in Scene::liquids(); empty for one liquid
   /// Where the domain is far from 0, x is rounded more coarsely than the simulation's positions.
   /// Those are `origin` + `offset` [m]. Elsewhere origin is 0 and offset is empty.

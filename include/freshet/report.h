@@ -28,8 +28,8 @@ struct Statistics {
   double speed_mean = 0, speed_max = 0;
   std::uint64_t fastest = 0;                        ///< id; the lowest of several equally fast
   double height_mean = 0;                           ///< mean of y
-  double kinetic_energy = 0, potential_energy = 0;  ///< [J]; potential energy is 0 at the origin
-  std::vector<double> momentum;                     ///< [kg m/s], one number per dimension
+  double kinetic_energy = 0, potential_energy = 0;  ///< [J; J/m in 2D], potential 0 at the origin
+  std::vector<double> momentum;                     ///< [kg m/s; (kg m/s)/m in 2D], one per axis
 };
 
 /// The time steps of a run [s], and how often each bound limited an adaptive step.

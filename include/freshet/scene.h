@@ -149,9 +149,9 @@ struct Scene {
     Vector pivot;      // centre of rotation [m]; the centre of mass if empty
     Vector turn_axis;  // z if empty
     // free
-    std::optional<double> density, mass;  // [kg/m^D], [kg; kg/m in 2D]
+    std::optional<double> density, mass;  // [kg/m^3], [kg; kg/m in 2D]
     Vector center_of_mass;                // at the start [m]; of an even density if empty
-    // about the centre of mass at the start [kg m²; kg m in 2D]: zz in 2D, xx, yy, zz in 3D, and
+    // about the centre of mass at the start [kg m²; kg m²/m in 2D]: zz in 2D, xx, yy, zz in 3D, and
     // perhaps xy, xz, yz; of an even density if empty
     Vector inertia;
     std::vector<Freedom> lock;    // does not move along or about these

@@ -110,7 +110,7 @@ class Simulation {
   /// The force of the fluid on each wall, in the order of Scene::wall_names() [N; N/m in 2D]:
   /// on reflecting walls the mean since that moment, on others the present force.
   std::vector<Vector> wall_forces(const Moment& since = Moment()) const;
-  /// The force of the fluid on each patch now, over its area, along its axes [Pa; N/m in 2D]: that
+  /// The force of the fluid on each patch now, over its area, along its axes [Pa]: that
   /// on samples of walls and bodies within a support, each for as much of its cell as the patch
   /// covers. Throws Error (kind scene) where a vector has not as many numbers as the domain axes.
   std::vector<Vector> tractions(const std::vector<WallPatch>& patches) const;

@@ -37,12 +37,12 @@ class Bodies {
   /// The state of a body `ahead` seconds after `time`: that of a moved body by its prescribed
   /// motion, that of a free body extrapolated by its velocity.
   BodyState at(std::size_t k, double time, double ahead) const;
-  /// The inverse mass matrix: the change of a body's motion by an impulse [1/kg, 1/(kg m²)]. It is
-  /// zero if the body is not free. A body with a hinge to the world turns about that hinge only.
+  /// The inverse mass matrix: the change of a body's motion by an impulse [1/kg, 1/(kg m²);
+  /// times m in 2D]; zero if the body is not free. One with a hinge to the world turns about it only.
   std::array<SixNumbers, 6> mobility(std::size_t k) const;
-  /// Gravity and the scene's body force on a free body [N, N m]; zeros for other bodies.
+  /// Gravity and body force on a free body [N, N m; per m in 2D]; zeros for other bodies.
   SixNumbers pull(std::size_t k, double time) const;
-  /// Moves all bodies from `time` to `time` + dt [s] by the forces of the fluid [N, N m].
+  /// Moves all bodies from `time` to `time` + dt [s] by the fluid's forces [N, N m; per m in 2D].
   void step(double time, double dt, std::span<const SixNumbers> forces);
   /// The maximum speed of any point of a body [m/s], without free bodies that have left through an
   /// open side.

@@ -35,9 +35,9 @@ template <int D> struct RigidBodies {
     Twist motion{};            ///< velocity of its particles [m/s, rad/s]
     Twist pull{};              ///< acceleration by gravity and similar loads [m/s^2, rad/s^2]
     Twist acceleration{};      ///< prescribed, or by the last force [m/s^2, rad/s^2]
-    Twist impulse{};           ///< by the fluid in this step [N s, N m s]
-    Twist force{};             ///< by the fluid at its last evaluation [N, N m]
-    Twist force_before{};      ///< by the fluid at the evaluation before [N, N m]
+    Twist impulse{};           ///< by the fluid in this step [N s, N m s; per m in 2D]
+    Twist force{};             ///< by the fluid at its last evaluation [N, N m; per m in 2D]
+    Twist force_before{};      ///< by the fluid at the evaluation before [N, N m; per m in 2D]
     Twist push{};              ///< scratch of a solve: response to its pressures
     Twist before{};            ///< scratch of a solve: motion at the previous iteration
     Twist mobility[freedoms];  ///< rows of the inverse mass matrix; zeros: nothing moves it
@@ -55,7 +55,7 @@ template <int D> struct RigidBodies {
   std::vector<Vec<D>> arm;     ///< from the centre of mass, along the axes of space [m]
   std::vector<Twist> totals;   ///< scratch: one per body
   std::uint64_t first_id = 0;  ///< of body particles in the set of walls; images follow
-  Real m = 0;                  ///< mass of a fluid particle [kg]
+  Real m = 0;                  ///< mass of a fluid particle [kg/m^(3-D)]
   bool respond = false;        ///< whether the fluid moves any of them
 
   int count() const { return int(all.size()); }

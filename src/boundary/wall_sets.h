@@ -21,7 +21,7 @@ template <int D> struct WallParticles : Particles<D> {
 };
 /// The single layer of boundary particles of Akinci 2012.
 template <int D> struct AkinciWall : WallParticles<D> {
-  Field<Real> psi;  ///< kept: rho0 V_k [kg]
+  Field<Real> psi;  ///< kept: rho0 V_k [kg/m^(3-D)]
   template <class Visit> void fields(Visit visit) {
     WallParticles<D>::fields(visit);
     visit("psi", Keep::kept, psi);

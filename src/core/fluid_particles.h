@@ -8,7 +8,7 @@ inline namespace FRESHET_ISA {
 
 template <int D> struct FluidParticles : Particles<D> {
   Field<Vec<D>> a;     ///< acceleration [m/s^2]
-  Field<Real> rho, p;  ///< density scaled to the densest liquid [kg/m^D], pressure [Pa]
+  Field<Real> rho, p;  ///< density scaled to the densest liquid [kg/m^3], pressure [Pa]
   Field<int> kind;     ///< kept: index of the liquid; no memory for one liquid
   FRESHET_HD int liquid(int i) const { return kind.data ? kind[i] : 0; }
 };

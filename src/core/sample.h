@@ -29,7 +29,7 @@ struct BodySample {
 /// All particles; the ids of the fluid count from 0 in this order.
 struct Sample {
   std::vector<Real> x, v;
-  std::vector<Real> density;  ///< one per particle [kg/m^D]: rest density, or hydrostatic density
+  std::vector<Real> density;  ///< one per particle [kg/m^3]: rest density, or hydrostatic density
   /// One per particle [Pa]: hydrostatic pressure where the fluid starts hydrostatic, else 0. Empty
   /// if the density already contains it, or if no fluid starts hydrostatic.
   std::vector<Real> pressure;

@@ -56,8 +56,8 @@ template <int D> class CarriedBodies {
   /// The number of times that a body particle is in the set of walls: itself and its images.
   int places() const { return 1 << periodic_.size(); }
 
-  /// psi [kg] of the particles of each body, without other bodies and walls [Akinci 2012, eqs. 4
-  /// and 5], times their volume factors.
+  /// psi [kg/m^(3-D)] of the particles of each body, without other bodies and walls [Akinci
+  /// 2012, eqs. 4 and 5], times their volume factors.
   template <class Kernel>
   std::vector<Real> psi(const Kernel& W, Real support, Real rho0,
                         const std::vector<Real>& volume_factor) const {

@@ -49,7 +49,7 @@ struct OpeningPlan {
 
 /// A liquid. The densest one has the plan's rest density.
 struct LiquidPlan {
-  double rest_density;     ///< [kg/m^D]
+  double rest_density;     ///< [kg/m^3]
   double viscosity;        ///< dynamic [Pa s]
   double surface_tension;  ///< [N/m]
   double cohesion;         ///< gamma of Akinci 2013 [m/s^2]
@@ -95,9 +95,9 @@ struct EnginePlan {
   double support = 0;       ///< support radius [m]
   double h = 0;             ///< the paper's h: half the support, mueller2003: the support [m]
   double spacing = 0;       ///< [m]
-  double mass = 0;          ///< of the densest liquid [kg]
+  double mass = 0;          ///< of the densest liquid [kg/m^(3-D)]
   double lattice_sum = 1;   ///< divisor of density sums
-  double rest_density = 0;  ///< of the densest liquid [kg/m^D]
+  double rest_density = 0;  ///< of the densest liquid [kg/m^3]
   double lightness = 1;     ///< maximum over minimum rest density of the liquids
   double viscosity = 0;     ///< maximum kinematic viscosity times rest_density [Pa s]
   std::vector<LiquidPlan> liquids;

@@ -33,14 +33,14 @@ template <int D> struct GhostWalls {
 /// particles among the fluid must have been listed.
 template <int D, class B> class WallForces {
  public:
-  /// m: mass of a particle of the densest liquid [kg], by which accelerations become forces.
+  /// m: mass of a particle of the densest liquid [kg/m^(3-D)]; it makes accelerations forces.
   WallForces(B& backend, std::size_t walls, const GhostWalls<D>& ghosts, double m);
   /// Sums the forces on these patches only.
   WallForces(B& backend, std::vector<PatchOnWall<D>> patches, double m);
 
   /// One force per wall [N; N/m in 2D].
   const std::vector<Vector>& list() const { return force_; }
-  /// The force on each patch along its axes over its area [Pa; N/m in 2D]. Call it once.
+  /// The force on each patch along its axes over its area [Pa]. Call it once.
   const std::vector<Vector>& tractions();
 
   /// Adds the reaction of a pair term on boundary particles.

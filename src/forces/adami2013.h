@@ -24,7 +24,7 @@ template <int D, class B, template <int> class Kernel> struct Adami2013 final : 
   Real m, rho0, h, c0;  ///< c0 = 0 for a solver without sound
   ShiftingAtSurface<D, B, Kernel> surface;
   Field<Vec<D>> u;   ///< scratch: v~ - v [m/s]
-  Field<Real> drho;  ///< scratch: rate of the density by it [kg/m^D/s]
+  Field<Real> drho;  ///< scratch: rate of the density by it [kg/(m^3 s)]
   Liquids liquids;
   Adami2013(const ForceParameters<D>& c, Kernel<D> W)
       : W(W), m(c.m), rho0(c.rho0), h(c.h), c0(c.c0), surface{W, {}}, liquids(c.liquids) {}

@@ -31,7 +31,7 @@ template <int D> struct ForceParameters {
 
   Real support, h;  ///< support radius, half of it [m]
   Real spacing;     ///< [m]
-  Real m, rho0;     ///< mass [kg], rest density [kg/m^D] of the densest liquid
+  Real m, rho0;     ///< mass [kg/m^(3-D)], rest density [kg/m^3] of the densest liquid
   Liquids liquids;
   Real nu_t, Theta;     ///< of Bender 2017 [m^2/s, m^2]
   Iterations implicit;  ///< of Weiler 2018

@@ -9,7 +9,7 @@ inline namespace FRESHET_ISA {
 /// The drag of air on what it meets of a liquid [Gissler, Band, Peer, Ihmsen, Teschner 2017]. A
 /// particle without neighbours is a drop that the air flattens as the Taylor analogy breakup model
 /// has it [O'Rourke and Amsden 1987]; one with many is a piece of a surface. In 2D a particle is as
-/// much of a bar, one metre long.
+/// much of a slice one metre deep.
 ///
 ///   drop        f = 1/2 rho_a |v_rel|^2 C A exposed/m against v_rel, v_rel = v - wind  [eq. 1]
 ///   L           radius of a drop as large as the particle [m]

@@ -9,7 +9,7 @@ inline namespace FRESHET_ISA {
 /// Continuum surface force [Brackbill, Kothe, Zemach 1992; Morris 2000]. Within a support radius of
 /// the free surface the force density on the liquid is
 ///
-///   f_i = 2 sigma kappa_i n_i,  n_i = sum_j V grad W_ij                    [N/m^D; eq. 10]
+///   f_i = 2 sigma kappa_i n_i,  n_i = sum_j V grad W_ij                    [N/m^3; eq. 10]
 ///
 /// twice, since only the half inside the surface has particles to push. The curvature kappa is that
 /// of normals smoothed twice, and is taken from a particle's depth, the mean of |x| in W, to the

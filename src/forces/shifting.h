@@ -18,7 +18,7 @@ template <int D, class B, template <int> class Kernel> struct ConcentrationShift
   Real m, rho0, W_spacing;
   Field<Vec<D>> u;   ///< scratch: velocity of the shift [m/s]
   Field<Vec<D>> dv;  ///< scratch: velocity rate by the shift [m/s^2]
-  Field<Real> drho;  ///< scratch: density rate by the shift [kg/(m^D s)]
+  Field<Real> drho;  ///< scratch: density rate by the shift [kg/(m^3 s)]
 
   void fields(FieldMaker<D>& maker) {
     maker.make("shift", Keep::scratch, u);

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "freshet/error.h"
+#include "freshet/units.h"
 #include "io/frame_data.h"
 #include "io/hdf5.h"
 
@@ -49,7 +50,7 @@ std::vector<float> field(const Hdf5Reader& file, const char* name, std::size_t r
 
 std::string encode_hdf5(const Frame& frame, const DataFields& fields) {
   const std::size_t dimension = std::size_t(frame.dimension);
-  const bool flat = dimension == 2;
+  const Units units = units_in(frame.dimension);
   Hdf5Writer file;
   file.attribute("/", "time", frame.time);
   file.attribute("/", "step", frame.step);
@@ -59,10 +60,10 @@ std::string encode_hdf5(const Frame& frame, const DataFields& fields) {
     file.write(name, values, columns, stored_as(values, half));
     file.attribute(name, "unit", std::string(unit));
   };
-  write("position", frame.x, dimension, false, "m");
-  if (fields.velocity) write("velocity", frame.v, dimension, fields.half, "m/s");
-  if (fields.density) write("density", frame.density, 1, fields.half, flat ? "kg/m^2" : "kg/m^3");
-  if (fields.pressure) write("pressure", frame.pressure, 1, fields.half, flat ? "N/m" : "Pa");
+  write("position", frame.x, dimension, false, units.length);
+  if (fields.velocity) write("velocity", frame.v, dimension, fields.half, units.speed);
+  if (fields.density) write("density", frame.density, 1, fields.half, units.density);
+  if (fields.pressure) write("pressure", frame.pressure, 1, fields.half, units.pressure);
   if (fields.id) {
     file.write("id", std::span<const std::uint64_t>(frame.id));
     file.attribute("id", "unit", std::string("1"));

@@ -26,7 +26,7 @@ template <int D, class R> struct Adami2012Sums {
 /// v_w = 2 u_w - sum_f v_f W_wf/sum_f W_wf                 [eqs. 22 and 23: no slip]
 ///
 ///   u_w, a_w   velocity and acceleration of the wall at w [m/s, m/s^2]
-///   reads p [Pa], rho [kg/m^D] and v [m/s] of the fluid; yields Adami2012Sums
+///   reads p [Pa], rho [kg/m^3] and v [m/s] of the fluid; yields Adami2012Sums
 template <int D, template <int> class Kernel> struct Adami2012Extrapolation {
   Kernel<D> W;
   Vec<D> gravity;
@@ -77,8 +77,8 @@ Adami2012MovingRate(K<D>, A...) -> Adami2012MovingRate<D, K>;
 ///
 /// Forces of wall particles that have the fluid's mass [Becker and Teschner 2007, eqs. 6 and 10].
 ///
-///   m [kg], rho0 [kg/m^D], friction 1 for no slip, 0 for free slip
-///   reads p, p_wall [Pa], rho [kg/m^D] (> 0), v, v_wall [m/s];  the sum in m/s^2
+///   m [kg/m^(3-D)], rho0 [kg/m^3], friction 1 for no slip, 0 for free slip
+///   reads p, p_wall [Pa], rho [kg/m^3] (> 0), v, v_wall [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Adami2012Forces {
   Kernel<D> W;
   ArtificialViscosity Pi;

@@ -29,7 +29,7 @@ FRESHET_HD Adami2013Sums<D, R> adami2013_sums(const Vec<D, R>& x_ij, const Vec<D
 
 /// Adami2013Sums over fluid particles of the volumes V_j = m/rho_j.
 ///
-///   m [kg];  reads rho [kg/m^D]
+///   m [kg/m^(3-D)];  reads rho [kg/m^3]
 template <int D, template <int> class Kernel> struct Adami2013Background {
   Kernel<D> W;
   Real m;
@@ -50,7 +50,7 @@ Adami2013Background(K<D>, A...) -> Adami2013Background<D, K>;
 /// Adami2013Sums over boundary particles of the volumes V_k = mass_k/rho0. Without memory for
 /// `mass` they all have the mass m.
 ///
-///   m, mass [kg], rho0 [kg/m^D];  reads rho [kg/m^D]
+///   m, mass [kg/m^(3-D)], rho0 [kg/m^3];  reads rho [kg/m^3]
 template <int D, template <int> class Kernel> struct Adami2013WallBackground {
   Kernel<D> W;
   Real m, rho0;
@@ -71,7 +71,7 @@ template <int D, template <int> class K, class... A>
 Adami2013WallBackground(K<D>, A...) -> Adami2013WallBackground<D, K>;
 
 /// The effect of the transport velocity on the flow: an acceleration [m/s^2] and a density rate
-/// [kg/(m^D s)].
+/// [kg/(m^3 s)].
 template <int D, class R> struct Adami2013Rates {
   Vec<D, R> a{};
   R rho{};
@@ -85,7 +85,7 @@ template <int D, class R> struct Adami2013Rates {
 /// a    1/m sum_j (V_i^2 + V_j^2) (A_i + A_j)/2 · grad W_ij,  A = rho v (v~ - v)
 /// rho  (u_i · grad) rho = sum_j V_j (rho_j - rho_i) (u_i · grad W_ij),  u = v~ - v
 ///
-///   m [kg];  reads rho [kg/m^D], v and u [m/s]
+///   m [kg/m^(3-D)];  reads rho [kg/m^3], v and u [m/s]
 ///
 /// With several liquids, A uses the liquid's own density rho/lightness, and the caller multiplies
 /// the sum by the lightness of i.

@@ -25,7 +25,7 @@ template <int D, template <int> class K> Akinci2012Volume(K<D>) -> Akinci2012Vol
 
 /// rho_i += sum_k psi_k W_ik  [eq. 6]
 ///
-///   psi [kg];  the sum in kg/m^D
+///   psi [kg/m^(3-D)];  the sum in kg/m^3
 template <int D, template <int> class Kernel> struct Akinci2012Density {
   Kernel<D> W;
   Field<Real> psi;
@@ -45,8 +45,8 @@ Akinci2012Density(K<D>, A...) -> Akinci2012Density<D, K>;
 ///
 /// The wall mirrors the pressure of the particle and moves with v_k.
 ///
-///   psi [kg], friction 1 for no slip, 0 for free slip
-///   reads p [Pa], rho [kg/m^D] (> 0), v, v_wall [m/s];  the sum in m/s^2
+///   psi [kg/m^(3-D)], friction 1 for no slip, 0 for free slip
+///   reads p [Pa], rho [kg/m^3] (> 0), v, v_wall [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Akinci2012Forces {
   Kernel<D> W;
   ArtificialViscosity Pi;

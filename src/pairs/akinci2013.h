@@ -18,7 +18,7 @@ template <int D> constexpr double akinci2013_gamma = D == 2 ? 42 : 56;
 
 /// n_i = h sum_j m/rho_j grad W_ij, towards the fluid  [sec. 3.2]
 ///
-///   h, m [m, kg];  reads rho [kg/m^D];  the sum is dimensionless, and zero inside
+///   h, m [m, kg/m^(3-D)];  reads rho [kg/m^3];  the sum is dimensionless, and zero inside
 template <int D, template <int> class Kernel> struct Akinci2013Normal {
   Kernel<D> W;
   Real h, m;
@@ -55,7 +55,7 @@ constexpr Real akinci2013_share = Real(0.1f);  ///< factor s of the normal term
 ///
 /// with gamma_ij = (gamma_i + gamma_j)/2 and s = akinci2013_share. It conserves momentum.
 ///
-///   gamma [m/s^2], m_h = m/(rho0 h^D);  reads rho [kg/m^D] and n;  the sum in m/s^2
+///   gamma [m/s^2], m_h = m/(rho0 h^D);  reads rho [kg/m^3] and n;  the sum in m/s^2
 template <int D> struct Akinci2013Tension {
   Real h, rho0, m_h;
   PerLiquid gamma;
@@ -80,9 +80,9 @@ template <int D> struct Akinci2013Tension {
 
 /// f_i = -sum_k beta psi_k/(rho0 h^D) A(|x_ik|/h) x_ik/|x_ik|  over boundary particles  [eq. 6]
 ///
-///   h [m], beta [m/s^2], psi [kg];  the sum in m/s^2
+///   h [m], beta [m/s^2], psi [kg/m^(3-D)];  the sum in m/s^2
 template <int D> struct Akinci2013Adhesion {
-  Real h, per_mass;  ///< per_mass = 1/(rho0 h^D) [1/kg]
+  Real h, per_mass;  ///< per_mass = 1/(rho0 h^D) [m^(3-D)/kg]
   PerLiquid beta;
   Field<Real> psi;
   template <class R> struct At { R beta; };

@@ -44,7 +44,7 @@ template <int D, class R> struct RenormalizedSums {
 ///
 /// It is exact for a linear density, also at a free surface.
 ///
-///   m [kg];  reads rho [kg/m^D] (> 0);  the gradient in kg/m^(D+1)
+///   m [kg/m^(3-D)];  reads rho [kg/m^3] (> 0);  the gradient in kg/m^4
 template <int D, template <int> class Kernel> struct DensityGradient {
   Kernel<D> W;
   Real m;
@@ -71,8 +71,8 @@ DensityGradient(K<D>, A...) -> DensityGradient<D, K>;
 /// delta h c0 sum_j V_j psi_ij · grad W_ij,
 /// psi_ij = 2 (rho_j - rho_i) x_ji/|x_ij|^2 - <grad rho>_i - <grad rho>_j  [Antuono 2010, eq. 10]
 ///
-///   m [kg], delta_h_c = delta h c0 [m^2/s] with h half the support, eps_h2 0.01 h^2 [m^2]
-///   reads rho [kg/m^D] (> 0) and <grad rho>;  the sum in kg/(m^D s)
+///   m [kg/m^(3-D)], delta_h_c = delta h c0 [m^2/s] with h half the support, eps_h2 0.01 h^2 [m^2]
+///   reads rho [kg/m^3] (> 0) and <grad rho>;  the sum in kg/(m^3 s)
 template <int D, template <int> class Kernel> struct Antuono2010Diffusion {
   Kernel<D> W;
   Real m, delta_h_c, eps_h2;

@@ -24,7 +24,7 @@ struct ArtificialViscosity {
 /// dv_i/dt = -sum_j m (p_i/rho_i^2 + p_j/rho_j^2 + Pi_ij) grad W_ij
 /// [Becker and Teschner 2007, eqs. 6 and 10]
 ///
-///   m [kg];  reads p [Pa], rho [kg/m^D] (> 0), v [m/s];  the sum in m/s^2
+///   m [kg/m^(3-D)];  reads p [Pa], rho [kg/m^3] (> 0), v [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Becker2007Forces {
   Kernel<D> W;
   ArtificialViscosity Pi;

@@ -42,7 +42,7 @@ Bender2017CurlV(K<D>, A...) -> Bender2017CurlV<D, K>;
 /// sum_j grad W_ij x (omega_i/rho_i^2 + omega_j/rho_j^2), of which curl omega_i is m rho_i times
 /// the sum. The symmetric form conserves momentum; the paper's difference form does not.
 ///
-///   reads omega [1/s] and rho [kg/m^D] (> 0);  the sum times m rho_i nu_t in m/s^2
+///   reads omega [1/s] and rho [kg/m^3] (> 0);  the sum times m rho_i nu_t in m/s^2
 template <int D, template <int> class Kernel> struct Bender2017CurlSpin {
   Kernel<D> W;
   Field<Spin<D, Real>> spin;

@@ -6,7 +6,7 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The sums of delta-SPH: an acceleration [m/s^2] and a density rate [kg/(m^D s)].
+/// The sums of delta-SPH: an acceleration [m/s^2] and a density rate [kg/(m^3 s)].
 template <int D, class R> struct DeltaSphSum {
   Vec<D, R> a{};
   R drho{};
@@ -22,7 +22,7 @@ template <int D, class R> FRESHET_HD Vec<D, R> acceleration(const DeltaSphSum<D,
 
 /// The parameters that all terms of delta-SPH share.
 ///
-///   m, rho0        mass [kg], rest density [kg/m^D]
+///   m, rho0        mass [kg/m^(3-D)], rest density [kg/m^3]
 ///   alpha_h_c      alpha h c0 of the artificial viscosity [m^2/s];  h half the support
 ///   delta_h_c      delta h c0 of the density diffusion [m^2/s]
 ///   eps_h2         0.01 h^2, keeps divisions by |x_ij|^2 finite [m^2]
@@ -37,7 +37,7 @@ struct DeltaSphNumbers {
 /// [Antuono, Colagrossi, Marrone, Molteni 2010, eq. 10; Fourtakas, Dominguez, Vacondio, Rogers
 /// 2019, eq. 14: G is the slope of the hydrostatic density, rho0 g/c0^2 to first order]
 ///
-///   G [kg/m^(D+1)];  reads p [Pa], rho [kg/m^D] (> 0), v [m/s];  sums in m/s^2, kg/(m^D s)
+///   G [kg/m^4];  reads p [Pa], rho [kg/m^3] (> 0), v [m/s];  sums in m/s^2, kg/(m^3 s)
 template <int D, template <int> class Kernel> struct DeltaSphRates {
   Kernel<D> W;
   DeltaSphNumbers c;
@@ -83,7 +83,7 @@ DeltaSphRates(K<D>, A...) -> DeltaSphRates<D, K>;
 /// diffusion and never attract. The density rate is that of walls at rest; Adami2012MovingRate
 /// corrects it.
 ///
-///   reads p, p_wall [Pa], rho [kg/m^D] (> 0), v, v_wall [m/s]; friction 1 no slip, 0 free slip
+///   reads p, p_wall [Pa], rho [kg/m^3] (> 0), v, v_wall [m/s]; friction 1 no slip, 0 free slip
 template <int D, template <int> class Kernel> struct DeltaSphAdamiRates {
   Kernel<D> W;
   DeltaSphNumbers c;
@@ -120,7 +120,7 @@ DeltaSphAdamiRates(K<D>, A...) -> DeltaSphAdamiRates<D, K>;
 ///   drho_i/dt += rho_i sum_k V_k v_ik · grad W_ik,  V_k = psi_k/rho0
 ///   dv_i/dt   += 1/rho_i sum_k V_k (alpha h c0 rho0 friction_k pi_ik - 2 max(p_i, 0)) grad W_ik
 ///
-///   psi [kg];  reads p [Pa], rho [kg/m^D] (> 0), v, v_wall [m/s]; friction 1 no slip, 0 free slip
+///   psi [kg/m^(3-D)];  reads p [Pa], rho [kg/m^3] (> 0), v, v_wall [m/s]; friction 0 for free slip
 template <int D, template <int> class Kernel> struct DeltaSphAkinciRates {
   Kernel<D> W;
   DeltaSphNumbers c;

@@ -7,8 +7,8 @@ inline namespace FRESHET_ISA {
 
 /// rho_i = sum_j m W_ij, j = i included  [Mueller 2003, eq. 3]
 ///
-///   m  mass over the kernel's lattice sum [kg], so that a resting lattice has its rest density;
-///      the sum in kg/m^D
+///   m  mass over the kernel's lattice sum [kg/m^(3-D)]: a resting lattice has its rest density;
+///      the sum in kg/m^3
 template <int D, template <int> class Kernel> struct Density {
   Kernel<D> W;
   Real m;

@@ -15,7 +15,7 @@ template <int D, class R> struct DensityAndResponse {
     gradient += o.gradient;
     return *this;
   }
-  /// l_i |sum_j m grad W_ij|^2 + sum_j l_j |m grad W_ij|^2, l the lightness [kg^2/m^(2D+2)]: the
+  /// l_i |sum_j m grad W_ij|^2 + sum_j l_j |m grad W_ij|^2, l the lightness [kg^2/m^8]: the
   /// decrease of Drho_i/Dt per unit of p_i/rho_i^2 that acts for a unit of time [Bender and
   /// Koschier 2017, eq. 9: rho_i/alpha_i; Ihmsen 2014, eq. 12: -rho_i^2 a_ii/dt^2]
   FRESHET_HD R response(R l_i) const { return l_i * norm2(gradient) + gradient2; }
@@ -23,7 +23,7 @@ template <int D, class R> struct DensityAndResponse {
 
 /// DensityAndResponse over fluid particles.
 ///
-///   m  mass [kg];  m_density  mass over the kernel's lattice sum [kg]
+///   m  mass [kg/m^(3-D)];  m_density  mass over the kernel's lattice sum [kg/m^(3-D)]
 template <int D, template <int> class Kernel> struct FluidDensityAndResponse {
   Kernel<D> W;
   Real m, m_density;
@@ -45,7 +45,7 @@ FluidDensityAndResponse(K<D>, A...) -> FluidDensityAndResponse<D, K>;
 
 /// DensityAndResponse over boundary particles. They do not move and add nothing to gradient2.
 ///
-///   psi [kg]
+///   psi [kg/m^(3-D)]
 template <int D, template <int> class Kernel> struct Akinci2012DensityAndResponse {
   Kernel<D> W;
   Field<Real> psi;

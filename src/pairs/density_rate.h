@@ -7,9 +7,9 @@ inline namespace FRESHET_ISA {
 
 /// Drho_i/Dt = sum_j m (v_i - v_j) · grad W_ij  [Bender and Koschier 2017, eq. 10]
 ///
-///   m [kg], v [m/s];  the sum in kg/(m^D s)
+///   m [kg/m^(3-D)], v [m/s];  the sum in kg/(m^3 s)
 ///
-/// With accelerations in place of v it is the rate of Drho_i/Dt [kg/(m^D s^2)].
+/// With accelerations in place of v it is the rate of Drho_i/Dt [kg/(m^3 s^2)].
 template <int D, template <int> class Kernel> struct DensityRate {
   Kernel<D> W;
   Real m;
@@ -27,7 +27,7 @@ template <int D, template <int> class K, class... A> DensityRate(K<D>, A...) -> 
 
 /// Drho_i/Dt += sum_k psi_k v_i · grad W_ik  over boundary particles at rest  [Akinci 2012]
 ///
-///   psi [kg], v [m/s];  the sum in kg/(m^D s)
+///   psi [kg/m^(3-D)], v [m/s];  the sum in kg/(m^3 s)
 template <int D, template <int> class Kernel> struct Akinci2012DensityRate {
   Kernel<D> W;
   Field<Real> psi;
@@ -48,7 +48,7 @@ Akinci2012DensityRate(K<D>, A...) -> Akinci2012DensityRate<D, K>;
 /// from Akinci2012DensityRate. It is a separate pass, so that scenes without moving walls do not
 /// pay for it.
 ///
-///   psi [kg], v_wall [m/s];  the sum in kg/(m^D s)
+///   psi [kg/m^(3-D)], v_wall [m/s];  the sum in kg/(m^3 s)
 template <int D, template <int> class Kernel> struct MovingDensityRate {
   Kernel<D> W;
   Field<Real> psi;

@@ -14,8 +14,8 @@ inline namespace FRESHET_ISA {
 /// first conserves angular momentum as well. The harmonic mean nu_ij makes the stress equal on both
 /// sides of the interface of two liquids [Cleary and Monaghan 1999].
 ///
-///   m [kg], nu [m^2/s], eps_h2 0.01 h^2 [m^2], xsph_rate xsph/dt [1/s]
-///   reads rho [kg/m^D] (> 0), v [m/s];  the sum in m/s^2
+///   m [kg/m^(3-D)], nu [m^2/s], eps_h2 0.01 h^2 [m^2], xsph_rate xsph/dt [1/s]
+///   reads rho [kg/m^3] (> 0), v [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct LaminarViscosity {
   Kernel<D> W;
   Real m;
@@ -46,8 +46,8 @@ LaminarViscosity(K<D>, A...) -> LaminarViscosity<D, K>;
 /// The viscosity of Monaghan 2005 at boundary particles of mass psi_k, density rho_i and viscosity
 /// nu_i. There is no XSPH part.
 ///
-///   psi [kg], friction 1 for no slip, 0 for free slip, eps_h2 0.01 h^2 [m^2]
-///   reads rho [kg/m^D] (> 0), v, v_wall [m/s];  the sum in m/s^2
+///   psi [kg/m^(3-D)], friction 1 for no slip, 0 for free slip, eps_h2 0.01 h^2 [m^2]
+///   reads rho [kg/m^3] (> 0), v, v_wall [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Akinci2012Friction {
   Kernel<D> W;
   Liquids liquids;

@@ -25,7 +25,7 @@ template <int D, class R> struct Lind2012Sums {
 
 /// Lind2012Sums over fluid particles of the volumes V_j = m/rho_j.
 ///
-///   m [kg];  W_spacing  W at the distance of one spacing [1/m^D];  reads rho [kg/m^D] (> 0)
+///   m [kg/m^(3-D)];  W_spacing  W at a distance of one spacing [1/m^D];  reads rho [kg/m^3] (> 0)
 template <int D, template <int> class Kernel> struct Lind2012Crowd {
   Kernel<D> W;
   Real m, W_spacing;
@@ -48,7 +48,7 @@ Lind2012Crowd(K<D>, A...) -> Lind2012Crowd<D, K>;
 /// Lind2012Sums over boundary particles of the volumes V_k = mass_k/rho0. Without memory for `mass`
 /// they all have the mass m.
 ///
-///   m, mass [kg], rho0 [kg/m^D];  W_spacing  W at the distance of one spacing [1/m^D]
+///   m, mass [kg/m^(3-D)], rho0 [kg/m^3];  W_spacing  W at the distance of one spacing [1/m^D]
 template <int D, template <int> class Kernel> struct Lind2012WallCrowd {
   Kernel<D> W;
   Real m, rho0, W_spacing;
@@ -86,7 +86,7 @@ template <int D, template <int> class Kernel> struct Lind2012Normal {
 template <int D, template <int> class K, class... A>
 Lind2012Normal(K<D>, A...) -> Lind2012Normal<D, K>;
 
-/// The rates of velocity [m/s^2] and density [kg/(m^D s)] of a shifted particle.
+/// The rates of velocity [m/s^2] and density [kg/(m^3 s)] of a shifted particle.
 template <int D, class R> struct ShiftedRates {
   Vec<D, R> v{};
   R rho{};
@@ -100,7 +100,7 @@ template <int D, class R> struct ShiftedRates {
 /// (u_i · grad) q = sum_j V_j (q_j - q_i) (u_i · grad W_ij) for q the velocity and the density
 /// [Lind, Xu, Stansby, Rogers 2012, eq. 33]
 ///
-///   m [kg];  reads rho [kg/m^D] (> 0), v and the velocity u of the shift [m/s]
+///   m [kg/m^(3-D)];  reads rho [kg/m^3] (> 0), v and the velocity u of the shift [m/s]
 template <int D, template <int> class Kernel> struct ShiftedState {
   Kernel<D> W;
   Real m;

@@ -13,8 +13,8 @@ inline namespace FRESHET_ISA {
 ///
 /// It approximates mu lap v/rho. It conserves momentum and angular momentum.
 ///
-///   m [kg], mu [Pa s], eps_h2 1e-4 h^2 [m^2] with h half the support
-///   reads rho [kg/m^D] (> 0) and v, any field of velocities [m/s];  the sum in m/s^2
+///   m [kg/m^(3-D)], mu [Pa s], eps_h2 1e-4 h^2 [m^2] with h half the support
+///   reads rho [kg/m^3] (> 0) and v, any field of velocities [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Monaghan2005Viscosity {
   Kernel<D> W;
   Real m, eps_h2;
@@ -42,8 +42,8 @@ Monaghan2005Viscosity(K<D>, A...) -> Monaghan2005Viscosity<D, K>;
 /// The viscosity of Monaghan 2005 at boundary particles at rest, of mass psi_k, density rho_i and
 /// viscosity mu_i.
 ///
-///   psi [kg], friction 1 for no slip, 0 for free slip, mu [Pa s], eps_h2 1e-4 h^2 [m^2]
-///   reads rho [kg/m^D] (> 0), v [m/s];  the sum in m/s^2
+///   psi [kg/m^(3-D)], friction 1 for no slip, 0 for free slip, mu [Pa s], eps_h2 1e-4 h^2 [m^2]
+///   reads rho [kg/m^3] (> 0), v [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Monaghan2005Akinci {
   Kernel<D> W;
   Real eps_h2;
@@ -74,8 +74,8 @@ Monaghan2005Akinci(K<D>, A...) -> Monaghan2005Akinci<D, K>;
 /// mu_i. They move with `v_wall`, the extrapolated velocity of the fluid [Adami 2012, eq. 23], or
 /// are at rest if `at_rest` is true.
 ///
-///   m [kg], rho0 [kg/m^D], friction 1 for no slip, 0 for free slip, mu [Pa s]
-///   eps_h2 1e-4 h^2 [m^2];  reads rho [kg/m^D] (> 0), v [m/s];  the sum in m/s^2
+///   m [kg/m^(3-D)], rho0 [kg/m^3], friction 1 for no slip, 0 for free slip, mu [Pa s]
+///   eps_h2 1e-4 h^2 [m^2];  reads rho [kg/m^3] (> 0), v [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Monaghan2005Adami {
   Kernel<D> W;
   Real m, rho0, eps_h2;

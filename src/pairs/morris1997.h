@@ -12,8 +12,8 @@ inline namespace FRESHET_ISA {
 /// It approximates mu lap v/rho for any divergence of v. It conserves momentum, but not angular
 /// momentum.
 ///
-///   m [kg], mu [Pa s], eps_h2 1e-4 h^2 [m^2] with h half the support
-///   reads rho [kg/m^D] (> 0), v [m/s];  the sum in m/s^2
+///   m [kg/m^(3-D)], mu [Pa s], eps_h2 1e-4 h^2 [m^2] with h half the support
+///   reads rho [kg/m^3] (> 0), v [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Morris1997Viscosity {
   Kernel<D> W;
   Real m, eps_h2;
@@ -41,8 +41,8 @@ Morris1997Viscosity(K<D>, A...) -> Morris1997Viscosity<D, K>;
 /// The viscosity of Morris 1997 at boundary particles at rest, of mass psi_k, density rho_i and
 /// viscosity mu_i.
 ///
-///   psi [kg], friction 1 for no slip, 0 for free slip, mu [Pa s], eps_h2 1e-4 h^2 [m^2]
-///   reads rho [kg/m^D] (> 0), v [m/s];  the sum in m/s^2
+///   psi [kg/m^(3-D)], friction 1 for no slip, 0 for free slip, mu [Pa s], eps_h2 1e-4 h^2 [m^2]
+///   reads rho [kg/m^3] (> 0), v [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Morris1997Akinci {
   Kernel<D> W;
   Real eps_h2;
@@ -73,8 +73,8 @@ Morris1997Akinci(K<D>, A...) -> Morris1997Akinci<D, K>;
 /// Their velocity v_wall is extrapolated from the fluid, as in the paper [eqs. 20 and 21; Adami
 /// 2012].
 ///
-///   m [kg], rho0 [kg/m^D], friction 1 for no slip, 0 for free slip, mu [Pa s]
-///   eps_h2 1e-4 h^2 [m^2];  reads rho [kg/m^D] (> 0), v, v_wall [m/s];  the sum in m/s^2
+///   m [kg/m^(3-D)], rho0 [kg/m^3], friction 1 for no slip, 0 for free slip, mu [Pa s]
+///   eps_h2 1e-4 h^2 [m^2];  reads rho [kg/m^3] (> 0), v, v_wall [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Morris1997Adami {
   Kernel<D> W;
   Real m, rho0, eps_h2;

@@ -39,7 +39,7 @@ Morris2000Normal(K<D>, A...) -> Morris2000Normal<D, K>;
 /// Morris2000Normals::wall over boundary particles of the volumes V_k = mass_k/rho0, or V without
 /// memory for `mass`.
 ///
-///   V [m^D], rho0 [kg/m^D], mass [kg];  the sum in 1/m
+///   V [m^D], rho0 [kg/m^3], mass [kg/m^(3-D)];  the sum in 1/m
 template <int D, template <int> class Kernel> struct Morris2000WallNormal {
   Kernel<D> W;
   Real V, rho0;

@@ -7,7 +7,7 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// The force densities of a particle [N/m^D].
+/// The force densities of a particle [N/m^3].
 template <int D, class R> struct ForceDensities {
   Vec<D, R> pressure{}, viscosity{};
   FRESHET_HD ForceDensities& operator+=(const ForceDensities& o) {
@@ -23,7 +23,7 @@ template <int D, class R> struct ForceDensities {
 /// The sums are force densities; divided by rho_i they are accelerations (eq. 8). The force on i
 /// from j, m f_ij/rho_i, is then equal and opposite to that on j from i, so momentum is conserved.
 ///
-///   m [kg], mu [Pa s];  reads p [Pa], rho [kg/m^D] (> 0), v [m/s]
+///   m [kg/m^(3-D)], mu [Pa s];  reads p [Pa], rho [kg/m^3] (> 0), v [m/s]
 template <int D> struct Mueller2003Forces {
   Spiky<D> W_spiky;
   ViscosityKernel<D> W_viscosity;

@@ -7,7 +7,7 @@ inline namespace FRESHET_ISA {
 
 /// rho*_i = sum_j m W(x*_i - x*_j),  x* = x + moved  [Solenthaler and Pajarola 2009, algorithm 2]
 ///
-///   m  mass over the kernel's lattice sum [kg];  moved [m];  the sum in kg/m^D
+///   m  mass over the kernel's lattice sum [kg/m^(3-D)];  moved [m];  the sum in kg/m^3
 ///
 /// The neighbours are those of x, not of x*.
 template <int D, template <int> class Kernel> struct PredictedDensity {
@@ -28,7 +28,7 @@ PredictedDensity(K<D>, A...) -> PredictedDensity<D, K>;
 
 /// rho*_i += sum_k psi_k W(x*_i - x*_k),  x*_k = x_k + dt v_k  [Akinci 2012, eq. 6]
 ///
-///   psi [kg], moved [m], dt [s], v_wall [m/s];  the sum in kg/m^D
+///   psi [kg/m^(3-D)], moved [m], dt [s], v_wall [m/s];  the sum in kg/m^3
 template <int D, template <int> class Kernel> struct Akinci2012PredictedDensity {
   Kernel<D> W;
   Field<Real> psi;

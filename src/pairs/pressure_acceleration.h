@@ -10,7 +10,7 @@ inline namespace FRESHET_ISA {
 ///
 /// The sum is the transpose of DensityRate, so the density rate as a function of k is symmetric.
 ///
-///   m [kg], k [Pa m^(2D)/kg^2];  the sum in m/s^2
+///   m [kg/m^(3-D)], k [Pa m^6/kg^2];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct PressureAcceleration {
   Kernel<D> W;
   Real m;
@@ -30,7 +30,7 @@ PressureAcceleration(K<D>, A...) -> PressureAcceleration<D, K>;
 /// a_i += -sum_s psi_s k_i grad W_is over boundary particles s, which mirror the pressure of i
 /// [Akinci 2012]
 ///
-///   psi [kg], k [Pa m^(2D)/kg^2];  the sum in m/s^2
+///   psi [kg/m^(3-D)], k [Pa m^6/kg^2];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct Akinci2012PressureAcceleration {
   Kernel<D> W;
   Field<Real> k, psi;

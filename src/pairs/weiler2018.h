@@ -67,7 +67,7 @@ template <int D, class R> FRESHET_HD R slope_of(const Pair<D, R>& ij, Vec<D, R> 
 
 /// M_i = -sum_j 2 m mu_ij/(rho_i rho_j) (D + 2) grad W_ij x_ij^T/(|x_ij|^2 + eps)  [eq. 15]
 ///
-///   m [kg], mu [Pa s], eps_h2 1e-4 h^2 [m^2];  reads rho [kg/m^D] (> 0);  the sum in 1/s
+///   m [kg/m^(3-D)], mu [Pa s], eps_h2 1e-4 h^2 [m^2];  reads rho [kg/m^3] (> 0);  the sum in 1/s
 template <int D, template <int> class Kernel> struct Weiler2018Block {
   Kernel<D> W;
   Real m, eps_h2;
@@ -91,7 +91,7 @@ Weiler2018Block(K<D>, A...) -> Weiler2018Block<D, K>;
 ///
 /// The block of Monaghan2005Akinci: boundary particles at rest.
 ///
-///   psi [kg], friction 1 for no slip, 0 for free slip, mu [Pa s], eps_h2 1e-4 h^2 [m^2]
+///   psi [kg/m^(3-D)], friction 1 for no slip, 0 for free slip, mu [Pa s], eps_h2 1e-4 h^2 [m^2]
 template <int D, template <int> class Kernel> struct Weiler2018AkinciBlock {
   Kernel<D> W;
   Real eps_h2;
@@ -115,7 +115,7 @@ Weiler2018AkinciBlock(K<D>, A...) -> Weiler2018AkinciBlock<D, K>;
 ///
 /// The block of Monaghan2005Adami: layers of walls at rest.
 ///
-///   m [kg], rho0 [kg/m^D], friction 1 for no slip, 0 for free slip, mu [Pa s]
+///   m [kg/m^(3-D)], rho0 [kg/m^3], friction 1 for no slip, 0 for free slip, mu [Pa s]
 template <int D, template <int> class Kernel> struct Weiler2018AdamiBlock {
   Kernel<D> W;
   Real m, rho0, eps_h2;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "freshet/units.h"
+
 namespace freshet {
 namespace {
 
@@ -73,8 +75,7 @@ Ticks ticks_of(Range range, int about) {
 }
 
 std::string axis_title(const std::string& quantity, std::string unit) {
-  for (const auto& [plain, raised] : {std::pair("^2", "²"), std::pair("^3", "³")})
-    if (const auto at = unit.find(plain); at != std::string::npos) unit.replace(at, 2, raised);
+  unit = raised_unit(std::move(unit));
   if (unit.empty()) return quantity;
   return quantity + (quantity.empty() ? "[" : " [") + unit + "]";
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "freshet/units.h"
+
 namespace freshet {
 namespace {
 
@@ -13,18 +15,19 @@ constexpr double dimmest_fall = 0.1;        // of the speed of a fall through th
 constexpr float dimmest_in_picture = 0.1f;  // [m/s]
 
 struct Quantity {
-  const char *name, *flat_unit, *unit;
+  const char* name;
+  const char* Units::*unit;  // none for numbers without a unit
 };
-constexpr Quantity quantities[] = {{"speed", "m/s", "m/s"},
-                                   {"velocity x", "m/s", "m/s"},
-                                   {"velocity y", "m/s", "m/s"},
-                                   {"velocity z", "m/s", "m/s"},
-                                   {"density", "kg/m^2", "kg/m^3"},
-                                   {"density error", "", ""},
-                                   {"pressure", "N/m", "Pa"},
-                                   {"height", "m", "m"},
-                                   {"id", "", ""},
-                                   {"liquid", "", ""}};
+constexpr Quantity quantities[] = {{"speed", &Units::speed},
+                                   {"velocity x", &Units::speed},
+                                   {"velocity y", &Units::speed},
+                                   {"velocity z", &Units::speed},
+                                   {"density", &Units::density},
+                                   {"density error", nullptr},
+                                   {"pressure", &Units::pressure},
+                                   {"height", &Units::length},
+                                   {"id", nullptr},
+                                   {"liquid", nullptr}};
 
 float speed_of(const Frame& f, std::size_t i) {
   float sum = 0;
@@ -103,7 +106,7 @@ std::string quantity_name(ColorBy quantity) { return quantities[int(quantity)].n
 
 std::string quantity_unit(ColorBy quantity, int dimension) {
   const Quantity& q = quantities[int(quantity)];
-  return dimension == 2 ? q.flat_unit : q.unit;
+  return q.unit ? units_in(dimension).*q.unit : "";
 }
 
 std::vector<float> rest_densities(const Scene& scene) {

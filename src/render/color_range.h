@@ -20,7 +20,7 @@ using ColorRanges = std::array<ColorRange, std::size_t(ColorBy::liquid)>;
 
 /// "velocity x"
 std::string quantity_name(ColorBy quantity);
-/// The unit in ASCII, as in the tables of a run: "kg/m^2". Empty for numbers without a unit.
+/// The unit in ASCII, as in the tables of a run: "kg/m^3". Empty for numbers without a unit.
 std::string quantity_unit(ColorBy quantity, int dimension);
 
 /// The value of particle i. Rest densities are those of the scene's liquids.

@@ -8,6 +8,7 @@
 
 #include "core/text.h"
 #include "freshet/error.h"
+#include "freshet/units.h"
 
 namespace freshet {
 namespace {
@@ -20,6 +21,26 @@ template <class Body, class F> void each_number(Body& b, F f) {
     for (auto& x : *part) f(x);
 }
 
+/// The names of the columns, with the line end.
+std::string header_with(const Units& units) {
+  std::string line = "step,time [s],body,x [m],y [m],z [m],qx,qy,qz,qw";
+  const auto add = [&line](const char* quantity, const char* unit) {
+    for (const char axis : {'x', 'y', 'z'})
+      line += fmt::format(",{} {} [{}]", quantity, axis, unit);
+  };
+  add("velocity", units.speed);
+  add("angular velocity", units.angular_velocity);
+  add("force", units.force);
+  add("torque", units.torque);
+  return line + "\n";
+}
+
+/// The names that older versions wrote in 2D.
+std::string older_header(Units units) {
+  units.torque = "N";
+  return header_with(units);
+}
+
 /// Reads bodies.csv line by line.
 class BodyRows {
  public:
@@ -28,7 +49,9 @@ class BodyRows {
   void header(std::string_view line) {
     columns_ = body_header(scene_);
     columns_.pop_back();  // the line end
-    if (line != columns_)
+    std::string older = older_header(units_in(scene_.dimension()));
+    older.pop_back();
+    if (line != columns_ && !(scene_.dimension() == 2 && line == older))
       fail(
           fmt::format("the first line does not name the columns of a table of bodies, which are "
                       "{}",
@@ -101,16 +124,7 @@ class BodyRows {
 }  // namespace
 
 std::string body_header(const Scene& s) {
-  if (s.body.empty()) return "";
-  const bool flat = s.dimension() == 2;
-  const char *force = flat ? "N/m" : "N", *torque = flat ? "N" : "N m";
-  std::string line = "step,time [s],body,x [m],y [m],z [m],qx,qy,qz,qw";
-  for (const char* what : {"velocity", "angular velocity"})
-    for (const char axis : {'x', 'y', 'z'})
-      line += fmt::format(",{} {} [{}]", what, axis, what[0] == 'v' ? "m/s" : "rad/s");
-  for (const char axis : {'x', 'y', 'z'}) line += fmt::format(",force {} [{}]", axis, force);
-  for (const char axis : {'x', 'y', 'z'}) line += fmt::format(",torque {} [{}]", axis, torque);
-  return line + "\n";
+  return s.body.empty() ? "" : header_with(units_in(s.dimension()));
 }
 
 std::string body_lines(const Frame& frame, const Scene& scene) {

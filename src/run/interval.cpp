@@ -10,6 +10,17 @@
 
 namespace freshet {
 
+namespace {
+
+/// "N s/m" for "N/m".
+std::string times_seconds(const std::string& unit) {
+  if (unit.empty()) return "s";
+  if (unit.ends_with("/s")) return unit.substr(0, unit.size() - 2);
+  return std::string(unit).insert(std::min(unit.find('/'), unit.size()), " s");
+}
+
+}  // namespace
+
 void include(IntervalRecord& interval, const std::vector<double>& values, double dt) {
   for (auto* numbers : {&interval.low, &interval.high, &interval.integral, &interval.seconds})
     numbers->resize(values.size());
@@ -25,10 +36,9 @@ void include(IntervalRecord& interval, const std::vector<double>& values, double
 
 std::string interval_columns(const std::string& name, const std::string& unit) {
   const std::string in = unit.empty() ? "" : fmt::format(" [{}]", unit);
-  const std::string times_s = unit.empty() ? "s" : unit + " s";
   return fmt::format(",{0},{1},{2},{3}", csv_cell(name + " min" + in), csv_cell(name + " max" + in),
                      csv_cell(name + " mean" + in),
-                     csv_cell(fmt::format("{} integral [{}]", name, times_s)));
+                     csv_cell(fmt::format("{} integral [{}]", name, times_seconds(unit))));
 }
 
 std::string interval_cells(const IntervalRecord& interval, std::size_t first, std::size_t count) {

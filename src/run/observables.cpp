@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/text.h"
+#include "freshet/units.h"
 #include "run/interval.h"
 #include "run/table.h"
 
@@ -37,32 +38,31 @@ std::vector<std::string> loaded_names(const Scene& s) {
 }  // namespace
 
 std::string observables_header(const Scene& s) {
-  const bool flat = s.dimension() == 2;
-  const char *density = flat ? "kg/m^2" : "kg/m^3", *force = flat ? "N/m" : "N";
+  const Units units = units_in(s.dimension());
   std::string line = "step,time [s],time step [s],ruled by,least bound [s]";
   for (const std::string& name : solve_names(s))
     line += fmt::format(",{0} iterations,{0} solve error [%]", name);
-  line += ",kinetic energy [J],potential energy [J]";
+  line += fmt::format(",kinetic energy [{0}],potential energy [{0}]", units.energy);
   for (int d = 0; d < s.dimension(); ++d)
-    line += fmt::format(",momentum {} [kg m/s]", axis_letters[d]);
+    line += fmt::format(",momentum {} [{}]", axis_letters[d], units.momentum);
   line += fmt::format(
       ",density mean [{0}],density max [{0}],density error mean [%],density error max [%],"
       "speed mean [m/s],speed max [m/s],fastest particle",
-      density);
+      units.density);
   if (const auto flows = s.flow_names(); !flows.empty()) {
-    const char* volume = flat ? "m^2" : "m^3";
     line += ",particles";
     for (const std::string& name : flows)
-      line += "," + csv_cell(fmt::format("volume through {} [{}]", name, volume)) + "," +
-              csv_cell(fmt::format("flow through {} [{}/s]", name, volume));
+      line += "," + csv_cell(fmt::format("volume through {} [{}]", name, units.volume)) + "," +
+              csv_cell(fmt::format("flow through {} [{}]", name, units.flow_rate));
   }
   for (const std::string& name : s.wall_names())
     for (int d = 0; d < s.dimension(); ++d)
-      line += "," + csv_cell(fmt::format("force on {} {} [{}]", name, axis_letters[d], force));
+      line +=
+          "," + csv_cell(fmt::format("force on {} {} [{}]", name, axis_letters[d], units.force));
   if (s.output.statistics)
     for (const std::string& name : loaded_names(s))
       for (int d = 0; d < s.dimension(); ++d)
-        line += interval_columns(fmt::format("force on {} {}", name, axis_letters[d]), force);
+        line += interval_columns(fmt::format("force on {} {}", name, axis_letters[d]), units.force);
   return line + "\n";
 }
 

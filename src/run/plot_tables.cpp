@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "freshet/error.h"
+#include "freshet/units.h"
 
 namespace freshet {
 namespace {
@@ -14,6 +15,24 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void reject_run(const std::string& place, const std::string& why) {
   throw Error(Error::Kind::scene, place, why);
+}
+
+/// Whether an older version wrote the observables of a 2D run.
+bool has_older_units(const Table& observables) {
+  const Column* density = observables.find("density mean");
+  return density && density->unit == "kg/m^2";
+}
+
+/// The unit of a column that an older version wrote in 2D. The numbers are the same.
+std::string present_unit(const std::string& column, const std::string& unit) {
+  const Units units = units_in(2);
+  const bool stress = column.starts_with("pressure") || column.starts_with("traction");
+  if (unit == "kg/m^2") return units.density;
+  if (unit == "N/m") return stress ? units.pressure : units.force;
+  if (unit == "N/m s") return stress ? "Pa s" : "N s/m";
+  if (unit == "J") return units.energy;
+  if (unit == "kg m/s") return units.momentum;
+  return unit == "N" ? units.torque : unit;
 }
 
 /// Adds the sum of kinetic and potential energy as a column.
@@ -43,7 +62,6 @@ Table read_observables(const fs::path& folder) {
         "no column \"time [s]\", so this was not written by a run; give the folder of a run");
   if (table.rows == 0)
     reject_run(file.string(), "no row yet; wait until the run has written its first frame");
-  add_total_energy(table);
   return table;
 }
 
@@ -81,12 +99,22 @@ std::map<std::string, Table> split_by(const std::string& name, const Table& tabl
 }  // namespace
 
 RunTables::RunTables(const fs::path& folder) : folder_(folder) {
-  tables_.push_back({"", read_observables(folder)});
+  Table observables = read_observables(folder);
+  older_units_ = has_older_units(observables);
+  update_units(observables);
+  add_total_energy(observables);
+  tables_.push_back({"", std::move(observables)});
+}
+
+void RunTables::update_units(Table& table) const {
+  if (!older_units_) return;
+  for (Column& c : table.columns) c.unit = present_unit(c.name, c.unit);
 }
 
 void RunTables::read_all() {
   if (std::exchange(complete_, true)) return;
   const auto add = [&](const std::string& owner, Table table) {
+    update_units(table);
     if (is_over_time(table)) tables_.push_back({owner, std::move(table)});
   };
   std::error_code ec;

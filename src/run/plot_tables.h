@@ -37,9 +37,11 @@ class RunTables {
     Table table;
   };
   template <class F> void each_column(F f) const;
+  void update_units(Table& table) const;
 
   std::filesystem::path folder_;
   std::vector<Owned> tables_;
+  bool older_units_ = false;  // of a 2D run of an older version
   bool complete_ = false;
 };
 

@@ -259,7 +259,9 @@ the bundled scenes.
 
 - All units are SI.
 - A scene has as many dimensions as `domain.max` has numbers, 2 or 3. Every vector has that many.
-- In 2D a density is a mass per area. y points up in 2D and 3D.
+- A 2D scene is a slice one metre deep. Masses, forces, torques and energies are per metre of depth,
+  densities are in kg/m³ and pressures in Pa.
+- y points up in 2D and 3D.
 - Unknown keys are errors. Keys that nothing uses are errors as well.
 - Paths of files are relative to the scene.
 

@@ -22,7 +22,7 @@ struct Look {
   std::int64_t left = 0;        ///< how many are where a wall should have kept them from
   Witness first_left;           ///< of these the least id
   Witness fastest;              ///< by its speed [m/s] about the mean velocity
-  Witness densest;              ///< by its density [kg/m^D]
+  Witness densest;              ///< by its density [kg/m^3]
   double density_error = 0;     ///< mean of max(0, rho/rho0 - 1)
   double compression = 0;       ///< mean of its square
   double kinetic = 0, potential = 0;  ///< energies of a mean particle [J/kg]; potential of -g x

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "core/text.h"
+#include "freshet/units.h"
 #include "kernels/cubic_spline.h"
 #include "kernels/lattice_sum.h"
 #include "scene/model/probe_patch.h"
@@ -197,20 +198,19 @@ std::size_t Probes::size() const { return parts_->places.at_the_start().size(); 
 
 std::vector<Probes::Quantity> Probes::quantities(std::size_t k) const {
   const Scene& s = parts_->scene;
-  const bool flat = s.dimension() == 2;
-  const char* pressure = flat ? "N/m" : "Pa";
-  if (s.probe[k].kind == ProbeKind::surface) return {{"distance", "m"}};
+  const Units units = units_in(s.dimension());
+  if (s.probe[k].kind == ProbeKind::surface) return {{"distance", units.length}};
   std::vector<Quantity> all;
   if (s.probe[k].kind == ProbeKind::wall) {
     for (int d = 0; d < s.dimension(); ++d)
-      all.push_back({fmt::format("traction {}", axis_letters[d]), pressure});
+      all.push_back({fmt::format("traction {}", axis_letters[d]), units.pressure});
     return all;
   }
   all.push_back({"fraction", ""});
   for (int d = 0; d < s.dimension(); ++d)
-    all.push_back({fmt::format("velocity {}", axis_letters[d]), "m/s"});
-  all.push_back({"density", flat ? "kg/m^2" : "kg/m^3"});
-  all.push_back({"pressure", pressure});
+    all.push_back({fmt::format("velocity {}", axis_letters[d]), units.speed});
+  all.push_back({"density", units.density});
+  all.push_back({"pressure", units.pressure});
   return all;
 }
 

@@ -50,7 +50,7 @@ template <int D> struct ShowMotion {
   }
 };
 
-/// The force and torque of a body particle on its body [N, N m].
+/// The force and torque of a body particle on its body [N, N m; per m in 2D].
 template <int D> struct SampleWrench {
   struct Item {
     int group;
@@ -71,7 +71,7 @@ template <int D> struct BodyCoupling {
   using Body = typename RigidBodies<D>::Body;
 
   /// Sums the reaction of a pair term of body particles, as force and torque on each body, into
-  /// `totals` [N, N m].
+  /// `totals` [N, N m; per m in 2D].
   template <class B, class Fluid, class Term>
   static void sum_reactions(B& backend, const Walls<D>& w, const Fluid& f, const Term& term) {
     sum_reactions(backend, *w.bodies, w.of_bodies, f, term);

@@ -10,7 +10,7 @@ inline namespace FRESHET_ISA {
 
 /// The fluid fields of delta-SPH. rho is kept, because it is advanced in time.
 template <int D> struct DeltaSphFluid : FluidParticles<D> {
-  Field<Real> drho;        ///< density rate [kg/(m^D s)]
+  Field<Real> drho;        ///< density rate [kg/(m^3 s)]
   Field<Vec<D>> v_memory;  ///< kept: velocity earlier in the step; not with symplectic Euler
   Field<Real> rho_memory;  ///< kept: density earlier in the step; not with symplectic Euler
   Field<Real> diffusion;   ///< scratch: density rate by diffusion; Antuono's diffusion only

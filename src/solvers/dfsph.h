@@ -53,7 +53,7 @@ struct Dfsph : Incompressible<D, B, Kernel> {
     return {divergence, density};
   }
 
-  /// The excess that a solve removes, a function of the rate Drho_i/Dt [kg/m^D]. For the divergence
+  /// The excess that a solve removes, a function of the rate Drho_i/Dt [kg/m^3]. For the divergence
   /// a particle with rho <= 0.6 rho0, at a free surface, has no positive excess.
   struct Excess {
     Field<Real> rho;

@@ -6,7 +6,7 @@ namespace freshet {
 inline namespace FRESHET_ISA {
 
 template <int D> struct IisphFluid : IncompressibleFluid<D> {
-  Field<Real> rho_adv;  ///< scratch: density predicted without pressure [kg/m^D]
+  Field<Real> rho_adv;  ///< scratch: density predicted without pressure [kg/m^3]
   Field<Vec<D>> a_p;    ///< scratch: acceleration by the pressures [m/s^2]
   template <class Visit> void fields(Visit visit) {
     IncompressibleFluid<D>::fields(visit);

@@ -25,8 +25,8 @@ inline namespace FRESHET_ISA {
 
 template <int D> struct IncompressibleParameters {
   Real support, h;    ///< support radius, half of it [m]
-  Real m, m_density;  ///< mass [kg]; mass over the kernel's lattice sum [kg]
-  Real rho0;          ///< rest density [kg/m^D]
+  Real m, m_density;  ///< mass [kg/m^(3-D)]; mass over the kernel's lattice sum [kg/m^(3-D)]
+  Real rho0;          ///< rest density [kg/m^3]
   Liquids liquids;
   Real most_nu, xsph;  ///< maximum kinematic viscosity [m^2/s]; XSPH's share per step
   Real repulsion;      ///< K of the repulsive walls [m^2/s^2]
@@ -44,9 +44,9 @@ template <int D> struct IncompressibleParameters {
 };
 
 template <int D> struct IncompressibleFluid : FluidParticles<D> {
-  Field<Real> k;       ///< kept: p/rho^2 [Pa m^(2D)/kg^2]
-  Field<Real> factor;  ///< scratch: 1/response [m^(2D+2)/kg^2], 0 for a negligible response
-  Field<Real> excess;  ///< scratch: excess density that a solve still has to remove [kg/m^D]
+  Field<Real> k;       ///< kept: p/rho^2 [Pa m^6/kg^2]
+  Field<Real> factor;  ///< scratch: 1/response [m^8/kg^2], 0 for a negligible response
+  Field<Real> excess;  ///< scratch: excess density that a solve still has to remove [kg/m^3]
   template <class Visit> void fields(Visit visit) {
     visit("k", Keep::kept, k);
     visit("a", Keep::scratch, this->a);
@@ -142,7 +142,7 @@ template <int D, Backend<D> B, template <int> class Kernel> struct Incompressibl
   }
   /// Sets body.push to the acceleration by the pressures k [m/s^2, rad/s^2].
   void press_bodies(B& backend, const BaseFluid& f, const Walls<D>& w, Field<Real> k) const;
-  /// Adds the impulse of the pressures k over dt to each body [N s, N m s].
+  /// Adds the impulse of the pressures k over dt to each body [N s, N m s; per m in 2D].
   void note_impulse(B& backend, const BaseFluid& f, const Walls<D>& w, Field<Real> k,
                     Real dt) const;
   void note_impulse(const Walls<D>& w, double dt) const {
@@ -150,7 +150,7 @@ template <int D, Backend<D> B, template <int> class Kernel> struct Incompressibl
       w.bodies->all[b].impulse += dt * w.bodies->totals[b];
   }
   void set_rate(B& backend, const BaseFluid& f, const Walls<D>& w) const;
-  /// Sums the friction on bodies into `totals` [N, N m].
+  /// Sums the friction on bodies into `totals` [N, N m; per m in 2D].
   void rub_bodies(B& backend, const BaseFluid& f, const Walls<D>& w) const;
   /// Changes the motion of bodies by friction (in `totals`) and by their loads (`pull`).
   void push_bodies(B& backend, const BaseFluid& f, const Walls<D>& w, Real dt) const;
@@ -160,7 +160,7 @@ template <int D, Backend<D> B, template <int> class Kernel> struct Incompressibl
   /// that are too large.
   double error(B& backend, const BaseFluid& f) const;
 
-  /// The part of an excess that a change of pressure can still remove [kg/m^D]. k_per_excess ·
+  /// The part of an excess that a change of pressure can still remove [kg/m^3]. k_per_excess ·
   /// excess is the change of k that would remove it. k cannot fall below zero. It is 0 where
   /// k_per_excess is 0.
   FRESHET_HD static Real left_of(Real excess, Real k, Real k_per_excess) {

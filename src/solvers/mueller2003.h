@@ -14,8 +14,8 @@ inline namespace FRESHET_ISA {
 
 template <int D> struct Mueller2003Parameters {
   Real h;             ///< support radius [m]
-  Real m, m_density;  ///< mass [kg]; mass over Poly6's lattice sum [kg]
-  Real rho0, k, mu;   ///< rest density [kg/m^D], stiffness [m^2/s^2], viscosity [Pa s]
+  Real m, m_density;  ///< mass [kg/m^(3-D)]; mass over Poly6's lattice sum [kg/m^(3-D)]
+  Real rho0, k, mu;   ///< rest density [kg/m^3], stiffness [m^2/s^2], viscosity [Pa s]
   Vec<D> gravity;     ///< [m/s^2]
   Liquids liquids;    ///< exactly one
   Confinement<D> confine;
@@ -75,7 +75,7 @@ template <int D, Backend<D> B> struct Mueller2003 {
                             double(c.mu) / double(c.rho0));
   }
 
-  /// The pair term of the forces: force densities [N/m^D].
+  /// The pair term of the forces: force densities [N/m^3].
   auto fluid_forces(const Fluid& f) const {
     return Mueller2003Forces<D>{
         Spiky<D>(c.h, c.spiky_factor), ViscosityKernel<D>(c.h), c.m, c.mu, f.p, f.rho, f.v};

@@ -6,7 +6,7 @@ namespace freshet {
 inline namespace FRESHET_ISA {
 
 template <int D> struct PbfFluid : IncompressibleFluid<D> {
-  Field<Real> lambda;   ///< scratch: -lambda_i/(m rho0) of the iteration [m^(D+2)/kg]
+  Field<Real> lambda;   ///< scratch: -lambda_i/(m rho0) of the iteration [m^5/kg]
   Field<Vec<D>> moved;  ///< scratch: sum of the corrections of the step [m]
   template <class Visit> void fields(Visit visit) {
     IncompressibleFluid<D>::fields(visit);

@@ -7,8 +7,8 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// Computes psi [kg] of all boundary particles of akinci2012, once at the start. It sorts them. Reads
-/// their volume factors in psi.
+/// Computes psi [kg/m^(3-D)] of all boundary particles of akinci2012, at the start. Sorts them.
+/// Reads their volume factors in psi.
 template <int D, class B, class Kernel>
 void prepare_walls(B& backend, Walls<D>& walls, const Kernel& W, Real support, Real rho0) {
   auto& wall = walls.akinci2012;

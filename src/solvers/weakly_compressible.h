@@ -18,8 +18,8 @@ inline namespace FRESHET_ISA {
 
 template <int D> struct WeaklyCompressibleParameters {
   Real support, h;    ///< support radius, half of it [m]
-  Real m, m_density;  ///< mass [kg]; mass over the kernel's lattice sum [kg]
-  Real rho0, c0;      ///< rest density [kg/m^D] and speed of sound [m/s] of the densest liquid
+  Real m, m_density;  ///< mass [kg/m^(3-D)]; mass over the kernel's lattice sum [kg/m^(3-D)]
+  Real rho0, c0;      ///< rest density [kg/m^3] and speed of sound [m/s] of the densest liquid
   Real background;    ///< pressure at rest density [Pa]
   Real alpha, delta;  ///< coefficients of artificial viscosity and of density diffusion
   Liquids liquids;

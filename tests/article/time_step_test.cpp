@@ -8,7 +8,7 @@ namespace freshet {
 namespace {
 
 struct Course {
-  double kinetic = 0;  ///< mean over the second half of the run [J]
+  double kinetic = 0;  ///< mean over the second half of the run [J/m]
   double fastest = 0;  ///< maximum over all steps [m/s]
 };
 
@@ -34,7 +34,7 @@ double articles_bound(const Scene& scene, const Course& course) {
 }
 
 // Steps of 15 ms obey the article's limit h/v_max = 0.2/9.8 = 20 ms during the whole run. The fluid
-// still does not come to rest: its kinetic energy is 8.6 J instead of 1.5 J.
+// still does not come to rest: its kinetic energy is 8.6 J/m instead of 1.5 J/m.
 TEST(ArticleTimeStep, HeatsTheFluidBelowTheArticlesBound) {
   const Scene fine = article_scene({{"time.end", "4"}});
   const Scene coarse = article_scene({{"time.end", "4"}, {"time.step", "0.015"}});
@@ -45,8 +45,8 @@ TEST(ArticleTimeStep, HeatsTheFluidBelowTheArticlesBound) {
 }
 
 // The speed limit of 20 m/s keeps h/v_max at 10 ms or more in a stiffer fluid too. But sound is ten
-// times faster, and with steps of 5 ms the fluid boils: its kinetic energy is 1905 J, while its
-// potential energy was 247 J at the start.
+// times faster, and with steps of 5 ms the fluid boils: its kinetic energy is 1905 J/m, while its
+// potential energy was 247 J/m at the start.
 TEST(ArticleTimeStep, NeedsTheSpeedOfSound) {
   const auto stiff = [](const char* step) {
     return article_scene({{"solver.stiffness", "5000"}, {"time.step", step}, {"time.end", "0.6"}});

@@ -133,6 +133,29 @@ TEST(Plot, FindsColumnsInEveryTable) {
   EXPECT_FALSE(contains(error, "line: pressure")) << error;  // a line has no column over time
 }
 
+TEST(Plot, DrawsRunsOfOlderVersionsIn2DWithTheUnitsOfNewOnes) {
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string& name, const std::string& density,
+                         const std::string& energy, const std::string& pressure) {
+    write_text(folder / name / "observables.csv", "step,time [s],density mean [" + density +
+                                                      "],kinetic energy [" + energy +
+                                                      "]\n0,0,1,2\n1,1,2,3\n");
+    write_text(folder / name / "probes/p.csv", "time [s],pressure [" + pressure + "]\n0,1\n1,2\n");
+    return (folder / name).string();
+  };
+  const std::string older = write("older", "kg/m^2", "J", "N/m"),
+                    present = write("present", "kg/m^3", "J/m", "Pa"),
+                    solid = write("solid", "kg/m^3", "J", "Pa"), svg = (folder / "a.svg").string();
+  const auto panels = [&](const std::string& run, const std::string& against) {
+    const auto r = freshet({"plot", run, "--against", against, "--columns",
+                            "density mean,kinetic energy,p: pressure", "--output", svg});
+    EXPECT_EQ(r.code, 0) << r.err;
+    return panels_in(svg);
+  };
+  EXPECT_EQ(panels(older, present), 3u);
+  EXPECT_EQ(panels(solid, present), 4u);  // J and J/m
+}
+
 TEST(Plot, DrawsIterationsAndHalvedSteps) {
   const TemporaryFolder folder;
   write_text(folder / "run/observables.csv",

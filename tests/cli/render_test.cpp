@@ -161,8 +161,8 @@ class RenderBodies : public Render {
   const std::string header =
       "step,time [s],body,x [m],y [m],z [m],qx,qy,qz,qw,velocity x [m/s],velocity y [m/s],"
       "velocity z [m/s],angular velocity x [rad/s],angular velocity y [rad/s],"
-      "angular velocity z [rad/s],force x [N/m],force y [N/m],force z [N/m],torque x [N],"
-      "torque y [N],torque z [N]\n";
+      "angular velocity z [rad/s],force x [N/m],force y [N/m],force z [N/m],torque x [N m/m],"
+      "torque y [N m/m],torque z [N m/m]\n";
 };
 
 TEST_F(RenderBodies, DrawsThemWhereTheTableHasThem) {

@@ -110,6 +110,26 @@ TEST(Run, IsCompleteWithoutAReaderOfItsOutput) {
   expect_whole_run(folder / "full");
 }
 
+TEST(Run, PrintsTheUnitsOfItsDimension) {
+  const TemporaryFolder folder;
+  const auto printed = [&](const std::string& third) {
+    write_text(folder / "scene.toml",
+               "domain.max = [1, 1" + third + "]\nparticles.spacing = 0.2\nfluid = { min = [0, 0" +
+                   third.substr(0, third.find('1')) + (third.empty() ? "" : "0") +
+                   "], max = [1, 0.4" + third +
+                   "] }\nsolver = { name = \"wcsph\", sound_speed = 30.0 }\n"
+                   "time = { end = 0.002, step = 1e-3 }\nchecks.density_mean_min = 1\n");
+    const auto r = freshet({"run", (folder / "scene.toml").string(), "--output",
+                            (folder / "run").string(), "--overwrite"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    return r.out;
+  };
+  const std::string slice = printed(""), solid = printed(", 1");
+  for (const std::string& out : {slice, solid}) EXPECT_TRUE(contains(out, " kg/m³ ")) << out;
+  EXPECT_TRUE(contains(slice, " J/m kinetic, ") && contains(slice, ") N/m\n")) << slice;
+  EXPECT_TRUE(contains(solid, " J kinetic, ") && contains(solid, ") N\n")) << solid;
+}
+
 TEST(Run, FailsIfACheckFails) {
   const TemporaryFolder folder;
   const auto r = freshet(good_run(folder.path(), {"--set", "checks.density_mean_min=100"}));

@@ -56,6 +56,14 @@ TEST(EncodeHdf5, HasTypedTables) {
   EXPECT_EQ(3, file.integer("/", "dimension"));
 }
 
+TEST(EncodeHdf5, NamesTheSameUnitsIn2DAndIn3D) {
+  for (const int dimension : {2, 3}) {
+    const Hdf5Reader file(encode_hdf5(sample_frame(dimension, 4)), "a.h5");
+    EXPECT_EQ("kg/m^3", file.text("density", "unit"));
+    EXPECT_EQ("Pa", file.text("pressure", "unit"));
+  }
+}
+
 TEST(EncodeHdf5, RoundsToTheNearest16BitNumber) {
   const TemporaryFolder folder;
   Frame f = sample_frame(2, 6);

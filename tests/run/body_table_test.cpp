@@ -2,6 +2,7 @@
 /// `freshet render` places bodies by bodies.csv, so a damaged table must not pass.
 #include "run/body_table.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "cli/files.h"
@@ -58,6 +59,16 @@ TEST(ReadBodies, SkipsALastTimeThatIsNotComplete) {
   for (const std::string& rest : {std::string(), row(2, "a"), row(2, "a") + "2,0.5,b,1,2",
                                   row(2, "a") + row(2, "b", "0.12").substr(0, 40)})
     EXPECT_EQ(1u, read_bodies(whole + rest, two_bodies(), "bodies.csv").size()) << rest;
+}
+
+TEST(ReadBodies, ReadsTheUnitsOfOlderVersionsIn2D) {
+  std::string header = body_header(two_bodies());
+  for (const char axis : {'x', 'y', 'z'}) {
+    const std::string torque = fmt::format("torque {} [N m/m]", axis);
+    ASSERT_NE(std::string::npos, header.find(torque));
+    header.replace(header.find(torque), torque.size(), fmt::format("torque {} [N]", axis));
+  }
+  EXPECT_EQ(1u, read_bodies(header + row(1, "a") + row(1, "b"), two_bodies(), "b.csv").size());
 }
 
 TEST(ReadBodies, RejectsDamagedTables) {

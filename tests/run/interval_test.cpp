@@ -26,6 +26,8 @@ TEST(Interval, WithoutAValueIsNaN) {
 
 TEST(Interval, NamesItsColumns) {
   EXPECT_EQ(",p min [Pa],p max [Pa],p mean [Pa],p integral [Pa s]", interval_columns("p", "Pa"));
+  EXPECT_TRUE(interval_columns("f", "N/m").ends_with(",f integral [N s/m]"));
+  EXPECT_TRUE(interval_columns("u", "m/s").ends_with(",u integral [m]"));
   EXPECT_EQ(",f min,f max,f mean,f integral [s]", interval_columns("f", ""));
   EXPECT_EQ(",\"a,b min [N]\",\"a,b max [N]\",\"a,b mean [N]\",\"a,b integral [N s]\"",
             interval_columns("a,b", "N"));

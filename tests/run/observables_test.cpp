@@ -38,9 +38,10 @@ step = 0.001
 
 TEST(Observables, NameEveryColumnWithItsUnit) {
   EXPECT_EQ(
-      "step,time [s],time step [s],ruled by,least bound [s],kinetic energy [J],"
-      "potential energy [J],momentum x [kg m/s],momentum y [kg m/s],density mean [kg/m^2],"
-      "density max [kg/m^2],density error mean [%],density error max [%],speed mean [m/s],"
+      "step,time [s],time step [s],ruled by,least bound [s],kinetic energy [J/m],"
+      "potential energy [J/m],momentum x [(kg m/s)/m],momentum y [(kg m/s)/m],"
+      "density mean [kg/m^3],density max [kg/m^3],density error mean [%],density error max "
+      "[%],speed mean [m/s],"
       "speed max [m/s],fastest particle,force on x_min x [N/m],force on x_min y [N/m],"
       "force on x_max x [N/m],force on x_max y [N/m],force on y_min x [N/m],force on y_min y [N/m],"
       "force on y_max x [N/m],force on y_max y [N/m]\n",
@@ -64,7 +65,7 @@ TEST(Observables, NameTheSolvesOfEachSolver) {
   const auto solves = [&](SolverName name) {
     scene.solver.name = name;
     const std::string header = observables_header(scene), front = ",least bound [s]",
-                      back = ",kinetic energy [J]";
+                      back = ",kinetic energy [J/m]";
     const auto from = header.find(front) + front.size();
     return header.substr(from, header.find(back) - from);
   };
@@ -82,8 +83,9 @@ TEST(Observables, HaveTheExpectedNumbers) {
   Simulation sim = simulation_of(two_particles);
   sim.step();
   const std::vector<Vector> forces{{1, 2}, {3, 4}, {0, 0}, {-0.5, 1e-9}};
-  // Mass: 1000 kg/m^2 · 0.01 m^2 = 10 kg. Limit: 0.4 · 0.1 m/(2 m/s + √4.25 m/s). Density: 10 kg ·
-  // Poly6(0) = 4/(π · 0.04 m^2), divided by the lattice sum 4/(π · 4) (1 + 4 · 0.75^3 + 4 · 0.5^3).
+  // Mass: 1000 kg/m^3 · 0.01 m^2 = 10 kg/m. Limit: 0.4 · 0.1 m/(2 m/s + √4.25 m/s). Density: 10
+  // kg/m · Poly6(0) = 4/(π · 0.04 m^2), divided by the lattice sum 4/(π · 4) (1 + 4 · 0.75^3 + 4 ·
+  // 0.5^3).
   EXPECT_EQ(
       "1,0.001,0.001,fixed,0.0098484502,26.25,0,10,5,"
       "313.725494,313.725494,0,0,1.53077641,2.06155281,1,1,2,3,4,0,0,"

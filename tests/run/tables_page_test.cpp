@@ -7,10 +7,12 @@
 #include <set>
 #include <sstream>
 
+#include "cli/files.h"
+#include "freshet/run.h"
 #include "io/frame_data.h"
 #include "run/body_table.h"
 #include "run/observables.h"
-#include "sim/probes.h"
+#include "run/percentile_table.h"
 
 namespace freshet::test {
 namespace {
@@ -57,8 +59,15 @@ void add(Units& all, const std::string& header, const Scene& scene) {
     }
     for (const std::string& flow : scene.flow_names()) replace(name, " " + flow, " FLOW");
     for (const std::string& wall : scene.wall_names()) replace(name, " " + wall + " ", " WALL ");
-    for (const char* axis : {" x", " y", " z"})
-      if (name.ends_with(axis)) name.replace(name.size() - 1, 1, "A");
+    for (std::size_t k = 0; k < scene.body.size(); ++k)
+      replace(name, " " + scene.body_name(k) + " ", " NAME ");
+    for (const std::string axis : {" x", " y", " z"})
+      for (const char* end : {"", " min", " max", " mean", " integral", " p01", " p99"})
+        if (name.ends_with(axis + end)) {
+          if (std::string(end).starts_with(" m") || std::string(end) == " integral")
+            replace(name, " WALL ", " NAME ");
+          replace(name, axis + end, std::string(" A") + end);
+        }
     all[name].insert(unit);
   }
 }
@@ -77,6 +86,8 @@ Units columns_of_observables(int dimension) {
   scene.outlet.resize(1);
   scene.counter.resize(1);
   scene.wall.resize(1);
+  scene.body.resize(1);
+  scene.output.statistics = true;
   for (const SolverMethod* solver : solver_methods())
     for (const auto viscosity : {ViscosityMethod::monaghan2005, ViscosityMethod::weiler2018}) {
       scene.solver.name = solver->solver;
@@ -105,27 +116,103 @@ TEST_P(TablesPage, HasTheColumnsOfBodies) {
   EXPECT_EQ(page, all);
 }
 
-TEST_P(TablesPage, HasTheColumnsOfProbes) {
-  const std::string low = GetParam() == 3 ? "[0.1, 0.0, 0.1]" : "[0.1, 0.0]",
-                    high = GetParam() == 3 ? "[0.5, 0.0, 0.5]" : "[0.5, 0.0]";
-  const std::string line = "from = " + low + "\nto = " + high + "\n";
-  const Scene scene = parse_scene(
-      "[domain]\nmax = " + std::string(GetParam() == 3 ? "[1, 1, 1]" : "[1, 1]") +
-          "\n[particles]\nspacing = 0.1\n[fluid]\nmin = " +
-          (GetParam() == 3 ? "[0, 0, 0]\nmax = [1, 0.5, 1]" : "[0, 0]\nmax = [1, 0.5]") +
-          "\n[solver]\nname = \"wcsph\"\n[time]\nend = 1\nstep = 1e-4\n"
-          "[[probe]]\nat = " +
-          low + "\n[[probe]]\nkind = \"line\"\n" + line + "[[probe]]\nkind = \"surface\"\n" + line +
-          "[[probe]]\nkind = \"wall\"\n" + line,
-      "test.toml");
-  const Probes probes(scene);
+TEST_P(TablesPage, HasTheColumnsOfPercentiles) {
+  const Scene scene = empty_scene(GetParam());
   Units all;
-  for (std::size_t k = 0; k < probes.size(); ++k) {
-    std::string header = probes.header(k);
-    for (const char* axis : {",x [m]", ",y [m]", ",z [m]"}) replace(header, axis, ",A [m]");
-    add(all, header, scene);
+  add(all, percentile_header(scene), scene);
+  EXPECT_EQ(columns_on_the_page("percentiles.csv", GetParam()), all);
+}
+
+/// A scene with every kind of table and probe.
+Scene scene_with_all_tables(int dimension) {
+  std::string text = R"(
+domain.max = [1, 1Z]
+particles.spacing = 0.1
+solver = { name = "wcsph", sound_speed = 30.0 }
+walls.method = "adami2012"
+time = { end = 0.002, step = 1e-3 }
+picture = { width = 64, height = 48 }
+output = { statistics = true, data = ["csv"], frame_every = 0.002, observables_every = 0.002 }
+fluid = { min = [0, 0O], max = [1, 0.3Z] }
+[[body]]
+min = [0.3, 0.6L]
+max = [0.7, 0.9H]
+motion = "fixed"
+[[counter]]
+center = [0.5, 0.1O]
+direction = [1, 0O]
+[[probe]]
+name = "point"
+at = [0.1, 0.1L]
+[[probe]]
+name = "line"
+kind = "line"
+from = [0.1, 0L]
+to = [0.5, 0H]
+[[probe]]
+name = "plane"
+kind = "plane"
+from = [0.1, 0.0L]
+to = [0.5, 0.3L]
+[[probe]]
+name = "surface"
+kind = "surface"
+from = [0.1, 0L]
+to = [0.1, 0.5L]
+[[probe]]
+name = "wall"
+kind = "wall"
+from = [0.1, 0L]
+to = [0.5, 0H]
+)";
+  const bool solid = dimension == 3;
+  const std::pair<char, const char*> thirds[] = {
+      {'Z', ", 1"}, {'O', ", 0"}, {'L', ", 0.1"}, {'H', ", 0.5"}};
+  for (const auto& [letter, third] : thirds)
+    for (auto at = text.find(std::string(1, letter) + "]"); at != text.npos;
+         at = text.find(std::string(1, letter) + "]"))
+      text.replace(at, 1, solid ? third : "");
+  return parse_scene(text, "tables.toml");
+}
+
+/// The section of the page about a table of a run.
+std::string section_of(const fs::path& file) {
+  const std::string folder = file.parent_path().string();
+  if (folder == "probes") return "probes/NAME.csv";
+  return folder == "data" ? "data/frame_0000.csv" : file.string();
+}
+
+/// Every CSV file that a run writes, by its section of the page.
+TEST_P(TablesPage, HasEveryTableOfARun) {
+  const TemporaryFolder folder;
+  const Scene scene = scene_with_all_tables(GetParam());
+  RunOptions options;
+  options.output = folder / "run";
+  options.scene_name = "tables";
+  options.execution.threads = 1;
+  run(scene, options);
+  std::map<std::string, Units> tables;
+  for (const auto& entry : fs::recursive_directory_iterator(folder / "run")) {
+    if (entry.path().extension() != ".csv") continue;
+    const std::string section = section_of(entry.path().lexically_relative(folder / "run"));
+    std::string header = lines_of(read_text(entry.path())).at(0);
+    for (const char* axis : {",x [m]", ",y [m]", ",z [m]"})
+      if (section == "probes/NAME.csv") replace(header, axis, ",A [m]");
+    add(tables[section], header, scene);
   }
-  EXPECT_EQ(columns_on_the_page("probes/NAME.csv", GetParam()), all);
+  std::set<std::string> sections;
+  for (const auto& [section, columns] : tables) sections.insert(section);
+  EXPECT_EQ((std::set<std::string>{"bodies.csv", "data/frame_0000.csv", "observables.csv",
+                                   "percentiles.csv", "probes/NAME.csv"}),
+            sections);
+  EXPECT_EQ(columns_on_the_page("probes/NAME.csv", GetParam()), tables["probes/NAME.csv"]);
+  for (const char* section : {"bodies.csv", "observables.csv", "percentiles.csv"}) {
+    const Units page = columns_on_the_page(section, GetParam());
+    for (const auto& [name, units] : tables[section]) {
+      const auto row = page.find(name);
+      EXPECT_TRUE(row != page.end() && row->second == units) << section << ": " << name;
+    }
+  }
 }
 
 TEST_P(TablesPage, HasTheColumnsOfDataFiles) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "freshet/units.h"
 #include "scene/check/findings.h"
 #include "scene/model/body_motion.h"
 #include "scene/model/body_shape.h"
@@ -66,6 +67,7 @@ void warn_of_mass(const Scene::Body& b, const std::string& at, const std::string
          fmt::format("the centre of mass of {} is {:.4g} m from the middle of its shape, which "
                      "reaches {:.4g} m: is it in metres, and at the place of the body?",
                      name, off, shape.extent / 2));
+  const Units units = units_in(b.inertia.size() == 1 ? 2 : 3);
   const auto& i = shape.inertia;
   const double second = b.inertia.size() == 1 ? i[2][2] : (i[0][0] + i[1][1] + i[2][2]) / 2;
   const double gyration = std::sqrt(second / shape.volume);
@@ -73,8 +75,8 @@ void warn_of_mass(const Scene::Body& b, const std::string& at, const std::string
     warn(
         at + "inertia",
         fmt::format("the inertia of {} is that of its mass {:.4g} m from its centre, and its shape "
-                    "reaches {:.4g} m: is it in kg m²?",
-                    name, gyration, shape.reach));
+                    "reaches {:.4g} m: is it in {}?",
+                    name, gyration, shape.reach, raised_unit(units.inertia)));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "freshet/derived.h"
+#include "freshet/units.h"
 #include "scene/check/body_warnings.h"
 #include "scene/check/findings.h"
 #include "scene/check/point_warnings.h"
@@ -71,7 +72,7 @@ class Warnings {
     for (std::size_t k = 0; k < s_.domain.max.size(); ++k)
       volume *= s_.domain.max[k] - s_.domain.min[k];
     const double needed = d_.particles * d_.mass / d_.rest_density;
-    const char* unit = s_.dimension() == 3 ? "m³" : "m²";
+    const std::string unit = raised_unit(units_in(s_.dimension()).volume);
     if (needed > volume)
       warn("particles.mass",
            fmt::format("at rest density the fluid takes {:.4g} {}, and the domain has "
@@ -83,7 +84,7 @@ class Warnings {
   void volume(std::size_t k) {
     const DerivedFluid& f = d_.fluids[k];
     if (std::abs(f.error()) <= (is_block(s_.fluid[k]) ? 0.01 : 0.02)) return;
-    const char* unit = s_.dimension() == 3 ? "m³" : "m²";
+    const std::string unit = raised_unit(units_in(s_.dimension()).volume);
     warn("particles.spacing",
          fmt::format("the particles of fluid[{}] fill {:.4g} {}, {:.1f} % {} than the {:.4g} {} of "
                      "its shape without walls and bodies: the lattice does not fit the shape; make "

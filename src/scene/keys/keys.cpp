@@ -208,7 +208,7 @@ The functions of a scene (`body_force`, `fluid.velocity_field`, `body.position`,
               .above = true,
               .fallback = "2 × spacing"});
     v.number("mass", s.particles.mass,
-             {.unit = "kg",
+             {.unit = mass_unit,
               .text = "mass of a particle (scheme `article` only)",
               .min = 0,
               .above = true,

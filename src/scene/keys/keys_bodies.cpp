@@ -45,7 +45,7 @@ void free_keys(KeyVisitor& v, Scene::Body& b) {
             .above = true,
             .fallback = "none"});
   v.number("mass", b.mass,
-           {.unit = "kg; kg/m in 2D",
+           {.unit = mass_unit,
             .text = "mass of a `free` body; set it or `density`",
             .min = 0,
             .above = true,
@@ -56,7 +56,7 @@ void free_keys(KeyVisitor& v, Scene::Body& b) {
             .fallback = "of an even density"});
   static constexpr std::size_t diagonal_or_full[] = {3, 6};
   v.components("inertia", b.inertia, diagonal_or_full,
-               {.unit = "kg m²; kg m in 2D",
+               {.unit = inertia_unit,
                 .text = "moment of inertia of a `free` body about its centre of mass: in 2D a "
                         "number; in 3D `[xx, yy, zz]` or `[xx, yy, zz, xy, xz, yz]`, the elements "
                         "of the tensor along the axes of space at the start",
@@ -105,7 +105,7 @@ void joint_keys(KeyVisitor& v, Scene::Joint& j) {
             .text = "speed of a motor that turns `body` about `axis`",
             .fallback = "no motor"});
   v.number("motor_torque", j.motor_torque,
-           {.unit = "N m; N in 2D",
+           {.unit = torque_unit,
             .text = "maximum torque of the motor",
             .min = 0,
             .above = true,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/keys/keys_forces.h"
 
+#include "scene/keys/keys_output.h"
+
 namespace freshet {
 
 void fluid_force_keys(KeyVisitor& v, Scene::Fluid& f) {
@@ -70,7 +72,7 @@ void air_keys(KeyVisitor& v, Scene::Air& a) {
   v.vector("velocity", a.velocity,
            {.unit = "m/s", .text = "velocity of the wind", .fallback = "at rest"});
   v.number("density", a.density,
-           {.unit = "kg/m³", .text = "density of the air", .min = 0, .above = true});
+           {.unit = density_unit, .text = "density of the air", .min = 0, .above = true});
   v.number("viscosity", a.viscosity,
            {.unit = "Pa s", .text = "dynamic viscosity of the air", .min = 0, .above = true});
 }

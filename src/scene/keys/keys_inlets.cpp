@@ -48,8 +48,8 @@ void inlet_keys(KeyVisitor& v, Scene::Inlet& in) {
             .above = true,
             .fallback = "none"});
   v.number("flow_rate", in.flow_rate,
-           {.unit = "m³/s",
-            .text = "inflow (m²/s in 2D), from which the speed follows by the area that the "
+           {.unit = flow_rate_unit,
+            .text = "inflow, from which the speed follows by the area that the "
                     "opening's particles represent; set it or `speed`",
             .min = 0,
             .above = true,

@@ -11,14 +11,14 @@ namespace freshet {
 /// its centre is in the plane z = 0.
 struct BodyShape {
   double volume = 0;          ///< [m³]; in 2D the area [m²]
-  double mass = 0;            ///< of a free body [kg; kg/m in 2D]
+  double mass = 0;            ///< of a free body [kg/m^(3-D)]
   Vec<3, double> middle{};    ///< of the shape: the centre of mass of an even density [m]
   Vec<3, double> center{};    ///< of mass [m]
   double inertia[3][3] = {};  ///< about the centre, per mean density [m⁵]; in 2D zz counts [m⁴]
   double extent = 0;          ///< of the shape: twice the distance of its farthest point [m]
   double reach = 0;           ///< at least the distance of the farthest point from the centre [m]
 
-  double density() const { return mass / volume; }  ///< mean density [kg/m³; kg/m² in 2D]
+  double density() const { return mass / volume; }  ///< mean density [kg/m³]
 };
 /// Whether this build moves free bodies, which needs Bullet.
 bool moves_free_bodies();
