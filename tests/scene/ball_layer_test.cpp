@@ -42,7 +42,7 @@ TEST(BallLayer, IsHigherTheSmallerTheBall) {
 
 // The other solvers and other shapes keep the flat layer.
 TEST(BallLayer, IsOfBallsInPressureSolvers) {
-  const Scene explicit_scheme = with_body(ball(2), "wcsph");
+  const Scene explicit_scheme = with_body(ball(2), "wcsph\"\nwalls.method = \"akinci2012");
   EXPECT_NEAR(single_layer_distance(explicit_scheme) / 0.02 - 0.5, depth(explicit_scheme, 2), 1e-9);
   const auto count = [](const Scene& s) { return double(sample(s).bodies.body.size()); };
   for (const double radius : {1.0, 1.5, 3.0, 11.9, 12.0})

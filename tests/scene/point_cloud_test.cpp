@@ -112,7 +112,8 @@ TEST_F(PointFile, ReportsPlaceAndRemedy) {
       "found: \"x\", \"y\"",
       refused("a.csv", "x,y\n1,2\n"));
   EXPECT_EQ(
-      "a.csv:1: error: vy is missing, and another velocity is present; write all 2 or none; columns found: "
+      "a.csv:1: error: vy is missing, and another velocity is present; write all 2 or none; "
+      "columns found: "
       "\"x\", \"y\", \"vx\"",
       refused("a.csv", "x,y,vx\n1,2,3\n", 2));
   EXPECT_EQ("a.csv:1: error: x is named twice; name every column once",

@@ -244,7 +244,8 @@ TEST(Resolution, ScalesStepMaxOfAdaptiveSteps) {
       "domain.max = [1, 1]\nparticles.spacing = 0.1\nfluid = { min = [0, 0], max = [1, 0.5] }\n"
       "time = { end = 1, step = \"adaptive\", step_max = 0.01 }\n",
       "test.toml");
-  for (const auto& [key, value] : at_resolution(coarse, 200)) EXPECT_NE("time.step", key) << value.value_or("");
+  for (const auto& [key, value] : at_resolution(coarse, 200))
+    EXPECT_NE("time.step", key) << value.value_or("");
   const Scene fine = parse_scene(coarse.source, "test.toml", at_resolution(coarse, 200));
   EXPECT_NEAR(0.005, *fine.time.step_max, 1e-12);
 }
@@ -260,7 +261,7 @@ TEST(Derive, HasTheExpectedNumbersIn3D) {
   EXPECT_NEAR(10 * std::sqrt(2 * 9.81), d.sound_speed, 1e-9);
   EXPECT_NEAR(0.4 * 0.1 / d.sound_speed, d.acoustic_step, 1e-12);
   EXPECT_NEAR(0.125 * 0.1 * 10 / (0.05 * d.sound_speed), d.viscous_step, 1e-9);
-  EXPECT_EQ(std::int64_t(sample(scene).akinci2012.wall.size()), d.wall_particles);
+  EXPECT_EQ(std::int64_t(sample(scene).adami2012.wall.size()), d.wall_particles);
 }
 
 TEST(Warnings, ReportALatticeThatDoesNotFitAPeriodicDomain) {

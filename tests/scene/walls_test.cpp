@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
-#include "scene/scene_text.h"
 #include "scene/model/solid_of.h"
+#include "scene/scene_text.h"
 
 namespace freshet::test {
 namespace {
@@ -165,7 +165,7 @@ TEST(SampleWalls, EndNearTheDomain) {
   const Sample s = sample(scene_with("[1, 1, 1]", dx,
                                      solver("open") + fluid_3d +
                                          "[wall]\nshape = \"sphere\"\ncenter = [1, 0.5, 0.5]\n"
-                                         "radius = 0.4\n"));
+                                         "radius = 0.4\nmethod = \"akinci2012\"\n"));
   double farthest = 0;
   for (std::size_t i = 0; i < s.akinci2012.x.size(); i += 3)
     farthest = std::max(farthest, double(s.akinci2012.x[i]));
@@ -177,7 +177,7 @@ TEST(SampleWalls, RepeatAtPeriodicEnds) {
   const Sample s = sample(scene_with("[1, 1]", dx,
                                      solver("open") + "domain.periodic = \"x\"\n" + fluid_2d +
                                          "[wall]\nshape = \"sphere\"\ncenter = [1, 0.5]\n"
-                                         "radius = 0.2\n"));
+                                         "radius = 0.2\nmethod = \"akinci2012\"\n"));
   const auto counts = counts_of(s.akinci2012);
   EXPECT_EQ(22, counts.at(4));  // the whole circle: half of it at each end
   EXPECT_GT(counts.at(-1 - 4), 0);

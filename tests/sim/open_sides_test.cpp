@@ -60,7 +60,7 @@ TEST(OpenSide, IsAColumnOfTheObservables) {
 }
 
 TEST(OpenSide, AbovePulledBackFluidTakesNothing) {
-  std::string text = waterfall("wcsph", "y_max = \"open\"\n");
+  std::string text = waterfall("wcsph", "method = \"akinci2012\"\ny_max = \"open\"\n");
   text.insert(text.find("[[wall]]"), "velocity = [0, 5]\n");
   text.replace(text.find("end = 4"), 7, "end = 1.2");
   Simulation sim = simulation_of(text, "cpu", {1, ""});

@@ -62,13 +62,15 @@ class ThinWalls : public ::testing::TestWithParam<Thin> {
            "[[fluid]]\nmin = " +
            (flat ? "[0.44, 0]\nmax = [0.84, 0.24]" : "[0.44, 0, 0]\nmax = [0.84, 0.24, 0.16]") +
            pressure + shape + "\n[solver]\nname = \"" + t.solver +
-           (t.solver == std::string("wcsph") ? "\"\nsound_speed = 30\n[time]\n" : "\"\n[time]\n") +
-           time;
+           (t.solver == std::string("wcsph") ? "\"\nsound_speed = 30\n" : "\"\n") +
+           "[walls]\nmethod = \"akinci2012\"\n[time]\n" + time;
   }
   TemporaryFolder folder_;
 };
 
 const char* const box_2d = "[[wall]]\nmin = [0.4, 0]\nmax = [0.44, 0.36]";
+const char* const layer_2d =
+    "[[wall]]\nmin = [0.4, 0]\nmax = [0.44, 0.36]\nmethod = \"akinci2012\"";
 const char* const box_3d = "[[wall]]\nmin = [0.4, 0, 0]\nmax = [0.44, 0.36, 0.16]";
 const char* const body_2d = "[[body]]\nmin = [0.4, 0]\nmax = [0.44, 0.36]\nmotion = \"fixed\"";
 const char* const thick_mesh = "[[wall]]\nshape = \"mesh\"\nfile = \"FOLDER/thick.ply\"";
@@ -77,6 +79,7 @@ const char* const sheet = "[[wall]]\nshape = \"mesh\"\nfile = \"FOLDER/sheet.ply
 INSTANTIATE_TEST_SUITE_P(Shapes, ThinWalls,
                          ::testing::Values(Thin{"box_2d_dfsph", "dfsph", box_2d, 2},
                                            Thin{"box_2d_wcsph", "wcsph", box_2d, 2},
+                                           Thin{"layer_2d_wcsph", "wcsph", layer_2d, 2},
                                            Thin{"body_2d_dfsph", "dfsph", body_2d, 2},
                                            Thin{"box_3d_dfsph", "dfsph", box_3d, 3},
                                            Thin{"mesh_dfsph", "dfsph", thick_mesh, 3},

@@ -177,6 +177,19 @@ TEST(WallProbe, WarnsIfThereIsNoWall) {
   EXPECT_NE(std::string::npos, warnings("0.5")[0].message.find("no boundary particle"));
 }
 
+// dfsph, 0.3 m of water: the particles beside the floor have 1.55 times its pressure.
+TEST(PointProbe, WarnsBesideWallsThatMirrorThePressure) {
+  const auto warnings = [](const Water& w, const char* x) {
+    const std::string probe = std::string("[[probe]]\nat = [") + x + ", 0.2]\n";
+    return scene_warnings(parse_scene(tank(w, probe), "test.toml"));
+  };
+  ASSERT_EQ(1u, warnings({"dfsph", "akinci2012"}, "1.0").size());
+  EXPECT_NE(std::string::npos,
+            warnings({"dfsph", "akinci2012"}, "1.0")[0].message.find("kind = \"wall\""));
+  EXPECT_TRUE(warnings({"dfsph", "akinci2012"}, "0.85").empty());
+  EXPECT_TRUE(warnings({"delta_sph", "adami2012"}, "1.0").empty());
+}
+
 TEST(WallProbe, RejectsAPatchOfAnotherDimension) {
   Simulation sim = simulation_of(tank({"dfsph", "akinci2012"}, ""));
   EXPECT_THROW(sim.tractions({{{1, 0.2}, {0, 0.1}, {{1, 0, 0}, {0, 1, 0}}}}), Error);

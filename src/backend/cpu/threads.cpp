@@ -41,12 +41,23 @@ void try_threads(int count) {
   all_started.count_down();
 }
 
+/// Makes OpenMP start its threads now, on the memory that try_threads has just given back. Later
+/// the run could have taken that memory.
+void start_team([[maybe_unused]] int count) {
+#ifdef _OPENMP
+  std::atomic<int> started{0};
+#pragma omp parallel num_threads(count)
+  ++started;
+#endif
+}
+
 }  // namespace
 
 Threads::Threads(int count) : count_(count) {
   static std::atomic<int> most{1};  // that were started so far: OpenMP keeps them
   if (count <= most) return;
   try_threads(count - 1);
+  start_team(count);
   most = count;
 }
 

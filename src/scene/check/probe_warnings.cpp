@@ -7,6 +7,7 @@
 #include "scene/check/findings.h"
 #include "scene/model/probe_patch.h"
 #include "scene/model/setup.h"
+#include "scene/sample/akinci_layer.h"
 #include "scene/sample/sample_bodies.h"
 #include "scene/sample/sample_walls.h"
 
@@ -49,6 +50,44 @@ bool is_outside(const Scene& s, const Scene::Probe& p) {
   return false;
 }
 
+/// Whether a point, or all of a line, is less than 1.5 spacings in front of boundary particles that
+/// mirror the pressure. x: their positions relative to `origin`.
+template <class R>
+bool touches_mirrors(const Scene& s, const Scene::Probe& p, const std::vector<R>& x,
+                     const Triple& origin) {
+  if (x.empty()) return false;
+  const auto n = std::size_t(s.dimension());
+  const double reach2 = square(1.5 * s.particles.spacing + AkinciLayer(s).depth());
+  const auto near = [&](const Vector& place) {
+    for (std::size_t i = 0; i < x.size(); i += n) {
+      double r2 = 0;
+      for (std::size_t d = 0; d < n; ++d) r2 += square(double(x[i + d]) + origin[d] - place[d]);
+      if (r2 < reach2) return true;
+    }
+    return false;
+  };
+  if (p.kind == ProbeKind::point) return near(p.at);
+  return p.kind == ProbeKind::line && near(p.from) && near(p.to) && near(patch_of(p).center);
+}
+
+void warn_of_mirrors(const Scene& s, const Sample& all, std::vector<Diagnostic>& list) {
+  const bool bodies = body_method(s) == WallMethod::akinci2012;
+  const Triple origin = origin_of(s);
+  for (std::size_t k = 0; k < s.probe.size(); ++k) {
+    const Scene::Probe& p = s.probe[k];
+    if (!touches_mirrors(s, p, all.akinci2012.x, origin) &&
+        !(bodies && touches_mirrors(s, p, all.bodies.x, {})))
+      continue;
+    const char* key = p.kind == ProbeKind::point ? "at" : "from";
+    list.push_back(
+        {Diagnostic::Severity::warning, place_of(s, fmt::format("probe[{}].{}", k, key)),
+         "fluid particles that touch \"akinci2012\" have up to 1.6 times the pressure of "
+         "the water (docs/solvers.md), and this probe is beside them; for the pressure "
+         "on the wall choose kind = \"wall\", else move the probe two spacings into "
+         "the fluid"});
+  }
+}
+
 }  // namespace
 
 std::vector<Diagnostic> probe_warnings(const Scene& s) {
@@ -62,11 +101,11 @@ std::vector<Diagnostic> probe_warnings(const Scene& s) {
            fmt::format("{} is outside the domain, where it finds no fluid; move it inside",
                        point ? "this point" : "all of this probe")});
   }
-  if (std::ranges::none_of(s.probe, [](const auto& p) { return p.kind == ProbeKind::wall; }))
-    return list;
+  if (s.probe.empty()) return list;
   Sample all;
   if (s.dimension() == 2) sample_walls<2>(s, all), sample_bodies<2>(s, all);
   else sample_walls<3>(s, all), sample_bodies<3>(s, all);
+  warn_of_mirrors(s, all, list);
   const Triple origin = origin_of(s);
   for (std::size_t k = 0; k < s.probe.size(); ++k) {
     const Scene::Probe& p = s.probe[k];
