@@ -33,6 +33,16 @@ struct ParticleView {
   std::size_t size() const { return id.size(); }
 };
 
+/// The boundary particles of walls and bodies, each with the present force of the fluid on it.
+struct BoundaryForces {
+  std::vector<double> x;      ///< position, `dimension` numbers per boundary particle [m]
+  std::vector<double> force;  ///< `dimension` numbers per boundary particle [N; N/m in 2D]
+  /// Index in Scene::wall_names(); for a body the number of these names plus its index in
+  /// Scene::body.
+  std::vector<int> part;
+  std::size_t size() const { return part.size(); }
+};
+
 /// A rectangle on a wall; in 2D a line segment on it.
 struct WallPatch {
   Vector center;             ///< [m]

@@ -114,6 +114,9 @@ class Simulation {
   /// on samples of walls and bodies within a support, each for as much of its cell as the patch
   /// covers. Throws Error (kind scene) where a vector has not as many numbers as the domain axes.
   std::vector<Vector> tractions(const std::vector<WallPatch>& patches) const;
+  /// The boundary particles with the present force of the fluid on each. They add up to
+  /// wall_forces() except on walls of `reflection` and `ghost`, which have none.
+  BoundaryForces boundary_forces() const;
   /// What inlets added, outlets and open sides removed and counters counted, in the order of
   /// Scene::flow_names(). Rates are the mean since that moment.
   std::vector<Flow> flows(const Moment& since = Moment()) const;
@@ -122,6 +125,12 @@ class Simulation {
   std::vector<BodyState> bodies() const;
   /// A copy of the fluid for pictures and files.
   Frame frame() const;
+  /// Replaces the fluid, the bodies, the step and the time by those of a frame of this scene, to be
+  /// measured. Pressures of walls follow from the fluid; what reflecting walls and flows have seen
+  /// is unknown. step() and checkpoint() then throw Error (kind scene), since a frame is not the
+  /// whole state of a solver, until restore(). Throws Error (kind scene) for a frame of another
+  /// dimension, or with another number of bodies or liquids.
+  void show(const Frame& frame);
   Statistics statistics() const;
   const std::vector<VerbTiming>& timings() const;
 
@@ -133,8 +142,8 @@ class Simulation {
   /// invalid; the simulation is then unchanged.
   void restore(const Checkpoint& checkpoint);
 
-  /// SHA-256 over steps_done (u64), then id (u64), x (relative to ParticleView::origin) and v of each
-  /// particle in id order, little-endian: equal states have equal sums.
+  /// SHA-256 over steps_done (u64), then id (u64), x (relative to ParticleView::origin) and v of
+  /// each particle in id order, little-endian: equal states have equal sums.
   std::string state_sha256() const;
   /// SHA-256 over the kept fields (those that a restart needs), in the order of their names.
   std::string kept_sha256() const;

@@ -36,5 +36,29 @@ FRESHET_HD int passed(const Opening<D>& piece, Vec<D, double> x, Vec<D, double> 
   return from < 0 ? 1 : -1;
 }
 
+/// The displacement along an axis by the shorter way, across its ends where it is periodic; a
+/// period of 0 is none [m].
+FRESHET_HD double shorter_way(double way, double period) {
+  if (!(period > 0)) return way;
+  return way > period / 2 ? way - period : way < -period / 2 ? way + period : way;
+}
+
+/// How often a particle that moved straight from `from` to `to` crosses the opening: along its
+/// direction minus against it. It took the shorter way along axes with a period [m].
+template <int D>
+FRESHET_HD int crossings(const Opening<D>& piece, Vec<D, double> from, Vec<D, double> to,
+                         Vec<D, double> period) {
+  Vec<D, double> way = to - from;
+  bool across_an_end = false;
+  for (int k = 0; k < D; ++k) {
+    const double flown = component(way, k);
+    component(way, k) = shorter_way(flown, component(period, k));
+    across_an_end = across_an_end || component(way, k) != flown;
+  }
+  const int count = passed(piece, from, way);
+  // count the part of its path at the other end as well
+  return across_an_end ? count + passed(piece, to - way, way) : count;
+}
+
 }  // namespace FRESHET_ISA
 }  // namespace freshet

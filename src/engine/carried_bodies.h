@@ -45,6 +45,7 @@ template <int D> class CarriedBodies {
         length_.push_back(p.max[k] - low_.back());
       }
     walls.bodies = &rigid_;
+    wall_set_ = layered_ ? walls.adami2012.set : walls.akinci2012.set;
     rigid_.first_id = (layered_ ? p.sample.adami2012 : p.sample.akinci2012).wall.size();
   }
   CarriedBodies(const CarriedBodies&) = delete;
@@ -84,6 +85,26 @@ template <int D> class CarriedBodies {
       all.push_back(rho0 / sum * volume_factor[std::size_t(k)]);
     }
     return all;
+  }
+
+  /// The body of a particle in the set of walls that has this id; -1 for periodic images and for
+  /// particles of walls.
+  int body_of_wall(std::uint64_t id) const {
+    const std::uint64_t number = id - rigid_.first_id;
+    return id < rigid_.first_id || number >= local_.size() ? -1 : body_of(int(number));
+  }
+  /// The set of walls that holds the body particles.
+  int wall_set() const { return wall_set_; }
+
+  /// Places the body particles for these states at `time`. Moved bodies accelerate as within `dt`.
+  void show(Walls<D>& walls, const std::vector<BodyState>& states, double time, double dt) {
+    bodies_.states() = states;
+    for (std::size_t b = 0; b < states.size(); ++b) {
+      SixNumbers& forces = bodies_.last_forces()[b];
+      std::copy(states[b].force.begin(), states[b].force.end(), forces.begin());
+      std::copy(states[b].torque.begin(), states[b].torque.end(), forces.begin() + 3);
+    }
+    begin(walls, time, dt);
   }
 
   /// Before a step of dt from `time` on: sets the bodies' motion and places their particles.
@@ -189,7 +210,8 @@ template <int D> class CarriedBodies {
   Bodies& bodies_;
   ForceMoment moment_;
   bool layered_;
-  Triple origin_;  // of the plan
+  int wall_set_ = 0;  // that the body particles are in
+  Triple origin_;     // of the plan
   RigidBodies<D> rigid_;
   // local_: from the centre of mass at the start; places_: positions now; center_: of mass, now;
   // the last two are relative to the origin

@@ -62,6 +62,11 @@ class Engine {
   virtual std::vector<Vector> bounce_impulses() = 0;
   /// See Simulation::tractions; `cell` is the width of a boundary particle's share of the wall [m].
   virtual std::vector<Vector> tractions(const std::vector<WallPatch>& patches, double cell) = 0;
+  /// See Simulation::boundary_forces.
+  virtual BoundaryForces boundary_forces() = 0;
+  /// Replaces the fluid and the bodies by those of a frame, to be measured: no step may follow.
+  /// `moment` [s] is short in comparison to a step; moved bodies accelerate as within it.
+  virtual void show(const Frame& frame, double moment) = 0;
   virtual const std::vector<VerbTiming>& timings() const = 0;
   /// All arrays of the state. Writing to them restores a state, after continue_from has set the
   /// number of steps.

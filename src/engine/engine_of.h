@@ -36,6 +36,8 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
         support_(Real(p.support)),
         rho0_(Real(p.rest_density)),
         m_(Real(p.mass)),
+        kernel_(kernel_of<D>(p)),
+        of_walls_(parameters_of(p, WeaklyCompressibleParameters<D>{})),
         wall_count_(p.walls.size()) {
     stepper_->set_forces(forces_.get());
     confine(p);
@@ -181,6 +183,24 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
     add_wall_forces(forces);
     return forces.tractions();
   }
+  BoundaryForces boundary_forces() override {
+    WallForces<D, B> forces(store_.backend, double(m_));
+    add_wall_forces(forces);
+    BoundaryForces all;
+    append_boundary(walls_.akinci2012, forces, all);
+    append_boundary(walls_.adami2012, forces, all);
+    append_boundary(walls_.monaghan2009, forces, all);
+    return all;
+  }
+  void show(const Frame& frame, double moment) override {
+    resize(std::int64_t(frame.size()));
+    for (int i = 0; i < fluid_.n; ++i) show_particle(frame, i);
+    if (bodies_) bodies_->show(walls_, frame.bodies, frame.time, moment);
+    search_between_steps(walls_.akinci2012, walls_.adami2012, walls_.monaghan2009);
+    lists_are_stale_ = false;
+    show_bodies(store_.backend, walls_, fluid_, support_);
+    extrapolate_to_walls(store_.backend, walls_, fluid_, kernel_, of_walls_);
+  }
 
  private:
   bool is_far() const { return origin_ != Triple{}; }
@@ -274,16 +294,51 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
       wall.psi[first + k] = of_bodies.psi[k % of_bodies.n] = psi[std::size_t(k % of_bodies.n)];
   }
 
-  /// Lists neighbours anew. The search sorts the kept fields; rho, p and a are scratch that is read
-  /// between steps, and follow their particles here.
-  void search_between_steps() {
+  void show_particle(const Frame& frame, int i) {
+    const auto n = std::size_t(i);
+    fluid_.id[i] = frame.id[n];
+    for (std::size_t k = 0; k < D; ++k) {
+      component(fluid_.x[i], int(k)) = Real(double(frame.x[D * n + k]) - origin_[k]);
+      component(fluid_.v[i], int(k)) = Real(frame.v[D * n + k]);
+    }
+    if (fluid_.kind.data) fluid_.kind[i] = frame.liquid[n];
+    fluid_.rho[i] = Real(frame.density[n]) * liquids_.lightness(fluid_, i);
+    fluid_.p[i] = Real(frame.pressure[n]);
+    fluid_.a[i] = {};
+    if (Field<Real>* k = stepper_->start_pressure())
+      (*k)[i] = fluid_.rho[i] > 0 ? fluid_.p[i] / square(fluid_.rho[i]) : 0;
+  }
+  /// Appends the boundary particles of a set, without periodic images.
+  void append_boundary(const WallParticles<D>& wall, WallForces<D, B>& forces,
+                       BoundaryForces& all) const {
+    const auto& on_particle = forces.on_particles(wall);
+    if (on_particle.empty()) return;  // no term acts on this set
+    for (int k = 0; k < wall.n; ++k) {
+      int part = wall.wall[k];
+      if (part < 0 && bodies_ && wall.set == bodies_->wall_set())
+        if (const int body = bodies_->body_of_wall(wall.id[k]); body >= 0)
+          part = int(wall_count_) + body;
+      if (part < 0) continue;
+      all.part.push_back(part);
+      for (int d = 0; d < D; ++d) {
+        Vec<D> x = wall.x[k];
+        Vec<D, double> f = on_particle[std::size_t(k)];
+        all.x.push_back(double(component(x, d)) + origin_[std::size_t(d)]);
+        all.force.push_back(component(f, d));
+      }
+    }
+  }
+
+  /// Lists neighbours anew, and sorts these sets of walls. The search sorts the kept fields; rho, p
+  /// and a are scratch that is read between steps, and follow their particles here.
+  template <class... Sets> void search_between_steps(Sets&... sets) {
     B& backend = store_.backend;
     std::unordered_map<std::uint64_t, int> place;
     for (int i = 0; i < fluid_.n; ++i) place[fluid_.id[i]] = i;
     const auto copy = [&](auto field) { return std::vector(field.data, field.data + fluid_.n); };
     const auto rho = copy(fluid_.rho), p = copy(fluid_.p);
     const auto a = copy(fluid_.a);
-    backend.find_neighbors("wall forces", support_, fluid_);
+    backend.find_neighbors("wall forces", support_, fluid_, sets...);
     for (int i = 0; i < fluid_.n; ++i) {
       const auto from = std::size_t(place[fluid_.id[i]]);
       fluid_.rho[i] = rho[from];
@@ -317,6 +372,8 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
   Vec<D, double> gravity_;  // for particles outside of the domain
   bool iterates_;
   Real h_, support_, rho0_, m_;
+  SceneKernel<D> kernel_;
+  WeaklyCompressibleParameters<D> of_walls_;  // of what adami2012 extrapolates
   std::size_t wall_count_;
   GhostWalls<D> ghosts_;
   std::unique_ptr<CarriedBodies<D>> bodies_;  // null without bodies

@@ -150,11 +150,6 @@ template <int D> class Flows {
     });
   }
 
-  /// The shorter displacement along a periodic axis [m].
-  static double shorter(double way, double period) {
-    if (!(period > 0)) return way;
-    return way > period / 2 ? way - period : way < -period / 2 ? way + period : way;
-  }
   template <class B> void count(B& backend, const Particles<D>& f) {
     if (counters_.empty()) return;
     const auto before = x_counted_;
@@ -163,12 +158,7 @@ template <int D> class Flows {
     for (std::size_t c = 0; c < counters_.size(); ++c) {
       const Opening<D> piece = counters_[c];
       backend.for_each("flows", f, [=](int i) {
-        const auto from = to_double(before[i]), to = to_double(f.x[i]);
-        const auto flown = to - from;
-        const auto way = each(flown, period, [](double a, double p) { return shorter(a, p); });
-        mark[i] = passed(piece, from, way);
-        // it crossed a periodic end: count the part of its path at the other end as well
-        if (norm2(way - flown) > 0) mark[i] += passed(piece, to - way, way);
+        mark[i] = crossings(piece, to_double(before[i]), to_double(f.x[i]), period);
       });
       counts_[outlets_.size() + c] +=
           std::llround(backend.sum("flows", f, [=](int i) { return double(mark[i]); }));

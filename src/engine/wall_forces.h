@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The force of the fluid on its walls, in sums that depend neither on threads nor on backends.
 #pragma once
+#include <map>
 #include <vector>
 
 #include "boundary/confinement.h"
@@ -37,11 +38,18 @@ template <int D, class B> class WallForces {
   WallForces(B& backend, std::size_t walls, const GhostWalls<D>& ghosts, double m);
   /// Sums the forces on these patches only.
   WallForces(B& backend, std::vector<PatchOnWall<D>> patches, double m);
+  /// Sums the forces on each boundary particle only.
+  WallForces(B& backend, double m);
 
   /// One force per wall [N; N/m in 2D].
   const std::vector<Vector>& list() const { return force_; }
   /// The force on each patch along its axes over its area [Pa]. Call it once.
   const std::vector<Vector>& tractions();
+  /// The force on each boundary particle of a set, in its order [N; N/m in 2D]; empty if no term
+  /// acts on it.
+  const std::vector<Vec<D, double>>& on_particles(const WallParticles<D>& wall) {
+    return on_particle_[wall.set];
+  }
 
   /// Adds the reaction of a pair term on boundary particles.
   template <class Wall, class Fluid, class Term>
@@ -77,6 +85,8 @@ template <int D, class B> class WallForces {
   std::vector<Vector> force_;
   std::vector<PatchOnWall<D>> patches_;
   std::vector<Vector> on_patch_;
+  bool by_particle_ = false;
+  std::map<int, std::vector<Vec<D, double>>> on_particle_;  // by set
 };
 
 }  // namespace FRESHET_ISA

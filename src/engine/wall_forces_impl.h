@@ -17,6 +17,9 @@ WallForces<D, B>::WallForces(B& backend, std::vector<PatchOnWall<D>> patches, do
       patches_(std::move(patches)),
       on_patch_(patches_.size(), Vector(std::size_t(D), 0.0)) {}
 
+template <int D, class B>
+WallForces<D, B>::WallForces(B& backend, double m) : backend_(backend), m_(m), by_particle_(true) {}
+
 template <int D, class B> const std::vector<Vector>& WallForces<D, B>::tractions() {
   for (std::size_t p = 0; p < on_patch_.size(); ++p)
     for (double& a : on_patch_[p]) a /= patches_[p].area();
@@ -37,6 +40,10 @@ template <int D, class B> void WallForces<D, B>::add_stored(const WallParticles<
       on_patch_[p][std::size_t(d)] +=
           m_ * backend_.sum("wall forces", wall,
                             ForceOnPatch<D>{patches_[p], patches_[p].axis[d], wall.x, force});
+  if (!by_particle_) return;
+  auto& on_particle = on_particle_[wall.set];
+  on_particle.resize(std::size_t(wall.n));
+  for (int k = 0; k < wall.n; ++k) on_particle[std::size_t(k)] += m_ * to_double<D>(force[k]);
 }
 
 template <int D, class B> void WallForces<D, B>::add_stored_ghost(const Particles<D>& f, int wall) {

@@ -129,6 +129,7 @@ void Simulation::observe(ObserverSchedule schedule,
 
 void Simulation::step() {
   Impl& i = *impl_;
+  i.refuse_shown("step");
   i.end_edit();
   const double before = i.time, dt = i.advance(i.time, i.next_step(), 0, infinity);
   ++i.steps;
@@ -249,6 +250,8 @@ std::vector<Vector> Simulation::tractions(const std::vector<WallPatch>& patches)
   }
   return impl_->engine().tractions(patches, impl_->scene.particles.spacing);
 }
+
+BoundaryForces Simulation::boundary_forces() const { return impl_->engine().boundary_forces(); }
 
 std::vector<Flow> Simulation::flows(const Moment& since) const {
   const Impl& i = *impl_;

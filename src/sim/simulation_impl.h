@@ -47,6 +47,8 @@ struct Simulation::Impl {
     engine();
     far_.end_edit();
   }
+  /// Throws while the simulation shows a frame.
+  void refuse_shown(const char* what) const;
   std::vector<StateArray> state() const;
   std::string state_digest(StateArray::Role role) const;
   class Resized;
@@ -62,6 +64,7 @@ struct Simulation::Impl {
   std::int64_t steps = 0;
   double time = 0;
   bool edited = false;  // the caller has added or removed particles
+  bool shown = false;   // show() was called since the last restore()
   std::vector<std::pair<Every, std::function<void(const Simulation&)>>> observers;
   TimeSteps time_steps;
   std::vector<SolveStatistics> solves;

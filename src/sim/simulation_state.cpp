@@ -103,6 +103,7 @@ std::string Simulation::state_sha256() const {
 
 Checkpoint Simulation::checkpoint() const {
   Impl& i = *impl_;
+  i.refuse_shown("checkpoint");
   i.health->look_for_lost({i.steps, i.time, i.time_steps.last}, i.engine().fluid());
   Checkpoint c;
   c.scene = scene().source;
@@ -158,7 +159,7 @@ void Simulation::restore(const Checkpoint& c) {
   const auto ids = std::find_if(c.arrays.begin(), c.arrays.end(),
                                 [](const StateArray& a) { return a.name == "fluid/id"; });
   const auto here = std::int64_t(impl_->engine().fluid().size());
-  const bool resizes = impl_->scene.has_flows() || impl_->edited || c.edited;
+  const bool resizes = impl_->scene.has_flows() || impl_->edited || impl_->shown || c.edited;
   Impl::Resized resized(impl_->engine());
   resized.to(!resizes ? here : ids == c.arrays.end() ? 0 : ids->count);
   const auto refuse = [](const std::string& why) {
@@ -209,9 +210,50 @@ void Simulation::restore(const Checkpoint& c) {
   impl_->time = c.time;
   impl_->health->go_on(c.watch);
   impl_->edited = c.edited;
+  impl_->shown = false;
   impl_->time_steps = c.time_steps;
   impl_->solves = c.solves;
   impl_->retries_help = c.retries_help;
+}
+
+void Simulation::Impl::refuse_shown(const char* what) const {
+  if (shown)
+    throw Error(Error::Kind::scene, what,
+                "the simulation shows a frame, which is not the whole state of its solver; restore "
+                "a checkpoint first, or make another simulation");
+}
+
+void Simulation::show(const Frame& frame) {
+  Impl& i = *impl_;
+  const auto refuse = [](std::string why) {
+    throw Error(Error::Kind::scene, "frame", std::move(why));
+  };
+  const auto D = std::size_t(i.scene.dimension()), n = frame.size();
+  if (frame.dimension != i.scene.dimension())
+    refuse(fmt::format("the frame is in {}D and the scene in {}D; show a frame of this scene",
+                       frame.dimension, i.scene.dimension()));
+  if (frame.x.size() != D * n || frame.v.size() != D * n || frame.density.size() != n ||
+      frame.pressure.size() != n)
+    refuse("its fields have not as many particles as it has ids; give each field a value each");
+  if (frame.bodies.size() != i.scene.body.size())
+    refuse(fmt::format("the frame has {} bodies and the scene {}; show a frame of this scene",
+                       frame.bodies.size(), i.scene.body.size()));
+  const int liquids = int(i.scene.liquids().size());
+  if (liquids > 1 && frame.liquid.size() != n)
+    refuse(fmt::format("the frame has no liquids and the scene {}; show a frame of this scene",
+                       liquids));
+  if (std::any_of(frame.liquid.begin(), frame.liquid.end(),
+                  [&](int k) { return k < 0 || k >= liquids; }))
+    refuse(
+        fmt::format("a particle of the frame is of a liquid beyond the {} of the scene; show a "
+                    "frame of this scene",
+                    liquids));
+  i.end_edit();
+  i.shown = true;
+  const Scene::Time& time = i.scene.time;
+  i.engine().show(frame, 1e-3 * (time.adaptive ? time.step_max.value_or(1e-3) : time.step));
+  i.steps = frame.step;
+  i.time = frame.time;
 }
 
 std::string Simulation::kept_sha256() const { return impl_->state_digest(StateArray::Role::kept); }
