@@ -12,7 +12,8 @@
 namespace freshet::cli {
 
 void let_idle_threads_sleep(int argc, char** argv) {
-  constexpr std::string_view computes[] = {"run", "resume", "info", "bench", "render", "validate"};
+  constexpr std::string_view computes[] = {"run",    "resume",  "info",    "bench",
+                                           "render", "measure", "validate"};
   constexpr const char* spins = "2000";  // about 10 microseconds; the default is a millisecond
   if (argc < 2 || std::getenv("OMP_WAIT_POLICY") || std::getenv("GOMP_SPINCOUNT") ||
       std::find(std::begin(computes), std::end(computes), argv[1]) == std::end(computes))

@@ -43,6 +43,15 @@ class FrameColumns final : public PointSink {
     frame_.dimension = dimension();
     return std::move(frame_);
   }
+  DataFields stored() const {
+    DataFields fields;
+    const std::ptrdiff_t* v = place_ + 3;
+    fields.velocity = std::all_of(v, v + dimension(), [](std::ptrdiff_t at) { return at >= 0; });
+    fields.density = place_[6] >= 0;
+    fields.pressure = place_[7] >= 0;
+    fields.id = place_[8] >= 0;
+    return fields;
+  }
 
  private:
   static constexpr const char* names[] = {"x",       "y",        "z",  "vx",   "vy",   "vz",
@@ -83,16 +92,18 @@ void FrameColumns::add(const std::vector<double>& values) {
 
 }  // namespace
 
-Frame decode_columns(std::string_view bytes, const std::string& file, PointReader* read) {
+Frame decode_columns(std::string_view bytes, const std::string& file, PointReader* read,
+                     DataFields& stored) {
   FrameColumns columns(file);
   read(bytes, columns);
+  stored = columns.stored();
   return columns.take();
 }
 
-Frame decode_csv(std::string_view bytes, const std::string& file) {
+Frame decode_csv(std::string_view bytes, const std::string& file, DataFields& stored) {
   if (!bytes.empty() && !bytes.ends_with('\n'))
     FilePlace(file).fail("the last line has no end; the file is cut off");
-  return decode_columns(bytes, file, read_csv);
+  return decode_columns(bytes, file, read_csv, stored);
 }
 
 }  // namespace freshet

@@ -42,15 +42,17 @@ std::vector<FrameFile> frame_files(const fs::path& run_folder) {
   return {};
 }
 
-Frame frame_in(std::string_view bytes, const fs::path& file) {
+Frame frame_in(std::string_view bytes, const fs::path& file, DataFields* stored) {
+  DataFields unused;
   for (const FrameFormat& format : frame_formats())
-    if (file.extension() == format.extension) return format.decode(bytes, file.string());
+    if (file.extension() == format.extension)
+      return format.decode(bytes, file.string(), stored ? *stored : unused);
   FilePlace(file.string()).fail("not *.h5, *.vtp, *.ply or *.csv; name a data file of a run");
 }
 
-Frame read_frame(const fs::path& file) {
+Frame read_frame(const fs::path& file, DataFields* stored) {
   constexpr InputFile data_file{.noun = "data file", .remedy = "name a data file of a run"};
-  return frame_in(read_input(file, data_file), file);
+  return frame_in(read_input(file, data_file), file, stored);
 }
 
 }  // namespace freshet

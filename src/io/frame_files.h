@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "freshet/frame.h"
+#include "io/frame_data.h"
 
 namespace freshet {
 
@@ -21,12 +21,13 @@ struct FrameFile {
 std::vector<FrameFile> frame_files(const std::filesystem::path& run_folder);
 
 /// Reads a frame from a data file. Missing ids count from 0; other missing fields, the time and the
-/// step are 0. Throws Error (kind scene) if the file cannot be read, is damaged or of an unknown
-/// format.
-Frame read_frame(const std::filesystem::path& file);
+/// step are 0. Sets `stored` to the fields that the file has. Throws Error (kind scene) if the file
+/// cannot be read, is damaged or of an unknown format.
+Frame read_frame(const std::filesystem::path& file, DataFields* stored = nullptr);
 
 /// Reads a frame from the bytes of a data file. The extension of `file` selects the format;
-/// messages contain `file`. Throws Error (kind scene).
-Frame frame_in(std::string_view bytes, const std::filesystem::path& file);
+/// messages contain `file`. Sets `stored` as read_frame does. Throws Error (kind scene).
+Frame frame_in(std::string_view bytes, const std::filesystem::path& file,
+               DataFields* stored = nullptr);
 
 }  // namespace freshet

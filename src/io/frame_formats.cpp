@@ -12,8 +12,9 @@
 namespace freshet {
 namespace {
 
-template <PointReader* read> Frame decode_by(std::string_view bytes, const std::string& file) {
-  return decode_columns(bytes, file, read);
+template <PointReader* read>
+Frame decode_by(std::string_view bytes, const std::string& file, DataFields& stored) {
+  return decode_columns(bytes, file, read, stored);
 }
 
 constexpr FrameFormat formats[] = {

@@ -13,8 +13,8 @@ struct FrameFormat {
   DataFormat format;
   const char* extension;  ///< such as ".vtp"
   std::string (*encode)(const Frame& frame, const DataFields& fields);
-  /// Throws Error (kind scene) at `file`.
-  Frame (*decode)(std::string_view bytes, const std::string& file);
+  /// Sets `stored` to the fields that the bytes have. Throws Error (kind scene) at `file`.
+  Frame (*decode)(std::string_view bytes, const std::string& file, DataFields& stored);
 };
 
 /// All formats. Of a run that wrote several, the first is read.

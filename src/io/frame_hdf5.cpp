@@ -75,8 +75,12 @@ std::string encode_hdf5(const Frame& frame, const DataFields& fields) {
   return file.bytes();
 }
 
-Frame decode_hdf5(std::string_view bytes, const std::string& place) {
+Frame decode_hdf5(std::string_view bytes, const std::string& place, DataFields& stored) {
   const Hdf5Reader file(bytes, place);
+  stored.velocity = file.has("velocity");
+  stored.density = file.has("density");
+  stored.pressure = file.has("pressure");
+  stored.id = file.has("id");
   const auto fail = [&](const std::string& why) { throw Error(Error::Kind::scene, place, why); };
   const std::size_t columns = file.columns("position");
   if (columns != 2 && columns != 3)

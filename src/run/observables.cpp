@@ -37,6 +37,21 @@ std::vector<std::string> loaded_names(const Scene& s) {
 
 }  // namespace
 
+std::string flow_columns(const Scene& s, const std::string& name) {
+  const Units units = units_in(s.dimension());
+  return "," + csv_cell(fmt::format("volume through {} [{}]", name, units.volume)) + "," +
+         csv_cell(fmt::format("flow through {} [{}]", name, units.flow_rate));
+}
+
+std::string force_columns(const Scene& s, const std::string& name) {
+  const Units units = units_in(s.dimension());
+  std::string columns;
+  for (int d = 0; d < s.dimension(); ++d)
+    columns +=
+        "," + csv_cell(fmt::format("force on {} {} [{}]", name, axis_letters[d], units.force));
+  return columns;
+}
+
 std::string observables_header(const Scene& s) {
   const Units units = units_in(s.dimension());
   std::string line = "step,time [s],time step [s],ruled by,least bound [s]";
@@ -51,14 +66,9 @@ std::string observables_header(const Scene& s) {
       units.density);
   if (const auto flows = s.flow_names(); !flows.empty()) {
     line += ",particles";
-    for (const std::string& name : flows)
-      line += "," + csv_cell(fmt::format("volume through {} [{}]", name, units.volume)) + "," +
-              csv_cell(fmt::format("flow through {} [{}]", name, units.flow_rate));
+    for (const std::string& name : flows) line += flow_columns(s, name);
   }
-  for (const std::string& name : s.wall_names())
-    for (int d = 0; d < s.dimension(); ++d)
-      line +=
-          "," + csv_cell(fmt::format("force on {} {} [{}]", name, axis_letters[d], units.force));
+  for (const std::string& name : s.wall_names()) line += force_columns(s, name);
   if (s.output.statistics)
     for (const std::string& name : loaded_names(s))
       for (int d = 0; d < s.dimension(); ++d)

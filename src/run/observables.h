@@ -8,6 +8,11 @@
 
 namespace freshet {
 
+/// Names of columns, each after a comma: the volume through a flow so far, and its mean rate.
+std::string flow_columns(const Scene& scene, const std::string& name);
+/// Names of columns, each after a comma: the force on a wall or body along each axis.
+std::string force_columns(const Scene& scene, const std::string& name);
+
 /// The first line of observables.csv: the names of the columns, "NAME [UNIT]".
 std::string observables_header(const Scene& scene);
 

@@ -1,46 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 
-#include "core/input_file.h"
 #include "freshet/render.h"
 #include "freshet/simulation.h"
 #include "io/folder.h"
-#include "io/frame_files.h"
 #include "io/video.h"
 #include "render/draw.h"
 #include "render/png.h"
-#include "run/body_table.h"
+#include "run/finished_run.h"
 #include "run/percentile_table.h"
-#include "scene/keys/override_place.h"
 #include "scene/model/picture_layout.h"
 
 namespace freshet {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The run's own scene; only what a picture shows may change.
-Scene scene_of(const RenderOptions& options) {
-  for (const Override& change : options.overrides) {
-    const std::string& key = change.first;
-    if (key != "picture" && key != "camera" && !key.starts_with("picture.") &&
-        !key.starts_with("camera.") && !key.starts_with("camera["))
-      throw Error(
-          Error::Kind::scene, place_of(change),
-          "the run is over: only keys of [picture] and [camera] can change now; run the scene "
-          "again for others");
-  }
-  const fs::path file = options.run / "scene.toml";
-  if (!fs::exists(file))
-    throw Error(
-        Error::Kind::scene, options.run.string(),
-        "no run is in this folder (it has no scene.toml); name the folder of a finished run");
-  return load_scene(file, options.overrides);
-}
 
 /// The pictures of a rendering: in a folder that the options name, or in RUN/pictures.
 class PictureFolder {
@@ -69,60 +46,6 @@ class PictureFolder {
   }
   std::string below_;
   Folder folder_;
-};
-
-/// A warning that names the data files that are missing between others, or nothing.
-std::vector<Diagnostic> gaps_in(const std::vector<FrameFile>& frames) {
-  std::vector<std::string> missing;
-  std::int64_t next = 0;
-  for (const FrameFile& frame : frames) {
-    if (frame.number == next + 1) missing.push_back(fmt::format("{:04}", next));
-    if (frame.number > next + 1)
-      missing.push_back(fmt::format("{:04} to {:04}", next, frame.number - 1));
-    next = frame.number + 1;
-  }
-  if (missing.empty()) return {};
-  constexpr std::size_t most = 5;
-  std::string list;
-  for (std::size_t k = 0; k < std::min(missing.size(), most); ++k)
-    list += (k == 0 ? "" : ", ") + missing[k];
-  if (missing.size() > most) list += " and more";
-  return {{Diagnostic::Severity::warning, frames.front().path.parent_path().string(),
-           fmt::format("data files are missing: {}; they get no picture, and the others keep their "
-                       "numbers; to have all, put the files back or run the scene again",
-                       list)}};
-}
-
-/// The bodies of the frames of a run, by bodies.csv.
-class FrameBodies {
- public:
-  FrameBodies(const fs::path& run, const Scene& scene)
-      : exist_(!scene.body.empty()), table_((run / "bodies.csv").string()) {
-    if (!exist_) return;
-    std::error_code ec;
-    if (!fs::is_regular_file(table_, ec))
-      throw Error(Error::Kind::scene, table_,
-                  "this table is missing or cannot be read, and the bodies are drawn from it; put "
-                  "it back, or run the scene again");
-    constexpr InputFile table{.may_be_empty = true};
-    times_ = read_bodies(read_input(table_, table), scene, table_);
-  }
-  void put_into(Frame& frame, const fs::path& file) const {
-    if (!exist_) return;
-    const double close = 1e-8 * std::abs(frame.time);  // the table has nine digits
-    const auto at = times_.lower_bound(frame.time - close);
-    if (at == times_.end() || at->first > frame.time + close)
-      throw Error(Error::Kind::scene, table_,
-                  fmt::format("there is no row for each body at {:g} s, which {} shows; put the "
-                              "table back as the run wrote it, or run the scene again",
-                              frame.time, file.string()));
-    frame.bodies = at->second;
-  }
-
- private:
-  bool exist_;
-  std::string table_;
-  std::map<double, std::vector<BodyState>> times_;
 };
 
 /// The colour ranges of the frames of a run, by percentiles.csv. Runs of older versions have none:
@@ -186,34 +109,29 @@ class Film {
 RenderReport render(const RenderOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const int threads = thread_count(options.threads);
-  const Scene scene = scene_of(options);
-  const std::vector<FrameFile> frames = frame_files(options.run);
-  if (frames.empty())
-    throw Error(
-        Error::Kind::scene, options.run.string(),
-        "this run wrote no data to draw (its folder has no data/); run its scene again with "
-        "data files switched on");
-  const FrameBodies bodies(options.run, scene);
+  const Scene scene = scene_of_run(
+      options.run, options.overrides,
+      {{"picture", "camera"},
+       "the run is over: only keys of [picture] and [camera] can change now; run the scene again "
+       "for others"});
+  const FinishedRun run(options.run, scene, "draw");
   const PictureFolder pictures(options);
-  pictures.check(options, frames);
+  pictures.check(options, run.files());
   if (options.video) check_video(options.video->file, options.video->fps, options.overwrite);
-  if (const auto gaps = gaps_in(frames); options.warn && !gaps.empty()) options.warn(gaps);
+  if (const auto gaps = run.gaps("they get no picture, and the others keep their numbers");
+      options.warn && !gaps.empty())
+    options.warn(gaps);
   FrameRanges ranges(options, scene);
   std::optional<Film> film;
   if (options.video) film.emplace(picture_layout(scene), *options.video);
   RenderReport report;
-  for (const FrameFile& file : frames) {
-    Frame frame = read_frame(file.path);
-    if (frame.dimension != scene.dimension())
-      throw Error(Error::Kind::run, file.path.string(),
-                  fmt::format("this frame is in {}D and the run's scene in {}D; run it again",
-                              frame.dimension, scene.dimension()));
-    bodies.put_into(frame, file.path);
+  for (const FrameFile& file : run.files()) {
+    const Frame frame = run.read(file);
     const Image image = draw(scene, frame, ranges.of(frame), threads);
     report.pictures.push_back(pictures.write(file, image));
     if (film) film->add(image, frame.time);
     report.interrupted =
-        options.after_picture && !options.after_picture(report.pictures.size(), frames.size());
+        options.after_picture && !options.after_picture(report.pictures.size(), run.files().size());
     if (report.interrupted) break;
   }
   if (film) film->finish();

@@ -338,6 +338,12 @@ bool too_many(const Scene& s, Findings& out) {
 
 }  // namespace
 
+void check_counters(const Scene& s, Findings& out) {
+  check_flow_names(s, out);
+  for (std::size_t k = 0; k < s.counter.size(); ++k)
+    check_keys(s, {s.counter[k], fmt::format("counter[{}].", k), "counter"}, false, out);
+}
+
 bool check_flows(const Scene& s, bool walls_are_good, Findings& out) {
   if (s.inlet.empty() && s.outlet.empty() && s.counter.empty()) return true;
   if (too_many(s, out)) return false;
@@ -347,11 +353,9 @@ bool check_flows(const Scene& s, bool walls_are_good, Findings& out) {
                                   : "counter[0]",
               "solver.scheme = \"article\" has one block of fluid, and no inlet, outlet or "
               "counter; remove it, or choose solver.scheme = \"paper\"");
-  check_flow_names(s, out);
+  check_counters(s, out);
   bool outlets_are_good = true;
   for (std::size_t k = 0; k < s.outlet.size(); ++k) outlets_are_good &= check_outlet(s, k, out);
-  for (std::size_t k = 0; k < s.counter.size(); ++k)
-    check_keys(s, {s.counter[k], fmt::format("counter[{}].", k), "counter"}, false, out);
   std::vector<std::size_t> good;
   for (std::size_t k = 0; k < s.inlet.size(); ++k)
     if (check_inlet(s, k, out)) good.push_back(k);

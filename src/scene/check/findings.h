@@ -86,6 +86,8 @@ bool check_walls(const Scene& scene, Findings& out);
 void check_sides(const Scene& scene, Findings& out);
 /// Inlets, outlets and counters. False if an inlet is invalid, so that fluids cannot be checked.
 bool check_flows(const Scene& scene, bool walls_are_good, Findings& out);
+/// The counters, and the names of all flows.
+void check_counters(const Scene& scene, Findings& out);
 /// False if a body is invalid, so that it cannot be sampled.
 bool check_bodies(const Scene& scene, Findings& out);
 /// False if the mass, the inertia or the locked axes of a free body are invalid.

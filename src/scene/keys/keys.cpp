@@ -168,6 +168,26 @@ void walls_keys(KeyVisitor& v, Scene::Walls& w) {
 
 }  // namespace
 
+void measured_keys(KeyVisitor& v, Scene& s) {
+  v.tables("counter",
+           "Counts the flow through a plane, or through a piece of it: `[counter]` for one, "
+           "`[[counter]]` for several.",
+           s.counter, [&](Scene::Counter& c) { counter_keys(v, c); });
+  v.tables("probe",
+           R"(A measurement during the run: `[probe]` for one, `[[probe]]` for several. Each writes
+probes/NAME.csv.
+
+- `point`: fluid fraction, velocity, density and pressure at a point.
+- `line`: these fields at `count` points of a line.
+- `plane`: these fields at points of a rectangle along the axes.
+- `surface`: how far the fluid reaches along a line. Upwards this is the water height,
+  along the floor the position of the front.
+- `wall`: the traction on a rectangle of a wall along the axes, in 2D on a segment.
+  Traction is the force of the fluid per area; its normal component is the pressure on
+  the wall.)",
+           s.probe, [&](Scene::Probe& p) { probe_keys(v, p); });
+}
+
 void visit_keys(KeyVisitor& v, Scene& s) {
   v.text("title", s.title, {.unit = "", .text = "one line for `freshet scenes`"});
   v.text("description", s.description, {.unit = "", .text = "what the scene shows"});
@@ -264,23 +284,7 @@ After each step, the particles in it are removed.)",
                   .text = "shape of the region; a `sphere` is a disc in 2D; `cylinder` in 3D only"},
                  {.unit = "", .text = "`inside` of the shape, or the domain `outside` of it"});
            });
-  v.tables("counter",
-           "Counts the flow through a plane, or through a piece of it: `[counter]` for one, "
-           "`[[counter]]` for several.",
-           s.counter, [&](Scene::Counter& c) { counter_keys(v, c); });
-  v.tables("probe",
-           R"(A measurement during the run: `[probe]` for one, `[[probe]]` for several. Each writes
-probes/NAME.csv.
-
-- `point`: fluid fraction, velocity, density and pressure at a point.
-- `line`: these fields at `count` points of a line.
-- `plane`: these fields at points of a rectangle along the axes.
-- `surface`: how far the fluid reaches along a line. Upwards this is the water height,
-  along the floor the position of the front.
-- `wall`: the traction on a rectangle of a wall along the axes, in 2D on a segment.
-  Traction is the force of the fluid per area; its normal component is the pressure on
-  the wall.)",
-           s.probe, [&](Scene::Probe& p) { probe_keys(v, p); });
+  measured_keys(v, s);
   body_keys(v, s);
   v.section(
       "solver",

@@ -136,6 +136,8 @@ Words solver_words();
 /// The names of the forces that a key chooses among, in the order of its enum.
 Words force_words(std::string_view key);
 
+/// The keys of what measures a finished run as well: counters and probes.
+void measured_keys(KeyVisitor& visitor, Scene& scene);
 void visit_keys(KeyVisitor& visitor, Scene& scene);
 
 }  // namespace freshet

@@ -61,23 +61,6 @@ std::string syntax_message(std::string words) {
   return words;
 }
 
-/// Throws the errors in the order of the file, at most `most_errors` of them.
-void throw_errors(std::vector<Diagnostic> errors, const SceneReader& reader,
-                  const std::string& name) {
-  if (errors.empty()) return;
-  std::stable_sort(errors.begin(), errors.end(), [&](const Diagnostic& a, const Diagnostic& b) {
-    return reader.position(a.place) < reader.position(b.place);
-  });
-  if (errors.size() > most_errors) {
-    const auto rest = errors.size() - most_errors;
-    errors.resize(most_errors);
-    errors.push_back(
-        {Diagnostic::Severity::error, name,
-         fmt::format("and {} more error{}; fix these first", rest, rest == 1 ? "" : "s")});
-  }
-  throw Error(Error::Kind::scene, std::move(errors));
-}
-
 /// The scene with its overrides, for the run folder.
 std::string merged_source(const toml::table& table, const std::vector<Override>& overrides) {
   std::ostringstream merged;
@@ -128,6 +111,22 @@ std::vector<UnusedKey> unused_keys_in(const std::string& text, const std::string
 }
 
 }  // namespace
+
+void throw_errors(std::vector<Diagnostic> errors, const SceneReader& reader,
+                  const std::string& name) {
+  if (errors.empty()) return;
+  std::stable_sort(errors.begin(), errors.end(), [&](const Diagnostic& a, const Diagnostic& b) {
+    return reader.position(a.place) < reader.position(b.place);
+  });
+  if (errors.size() > most_errors) {
+    const auto rest = errors.size() - most_errors;
+    errors.resize(most_errors);
+    errors.push_back(
+        {Diagnostic::Severity::error, name,
+         fmt::format("and {} more error{}; fix these first", rest, rest == 1 ? "" : "s")});
+  }
+  throw Error(Error::Kind::scene, std::move(errors));
+}
 
 toml::table parse_toml(const std::string& text, const std::string& name) {
   if (const NestingScan scan(text); scan.too_deep())

@@ -22,9 +22,9 @@ std::size_t dimension_of(const toml::table& root) {
 }  // namespace
 
 SceneReader::SceneReader(const toml::table& root, std::string file,
-                         std::map<std::string, std::string> overridden)
+                         std::map<std::string, std::string> overridden, std::size_t dimension)
     : file_(std::move(file)),
-      dimension_(dimension_of(root)),
+      dimension_(dimension > 0 ? dimension : dimension_of(root)),
       overridden_(std::move(overridden)),
       scope_{&root, "", "", {}} {
   places_[""] = file_;

@@ -11,9 +11,10 @@ namespace freshet {
 
 class SceneReader final : public KeyVisitor {
  public:
-  /// `overridden` maps the paths that --set sets ("fluid[0].count") to "--set KEY".
+  /// `overridden` maps the paths that --set sets ("fluid[0].count") to "--set KEY". `dimension` is
+  /// that of vectors; 0: that of domain.max in the table.
   SceneReader(const toml::table& root, std::string file,
-              std::map<std::string, std::string> overridden);
+              std::map<std::string, std::string> overridden, std::size_t dimension = 0);
 
   const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
   /// The place of every key and table in the scene, by path; the file itself has the path "".
@@ -87,5 +88,9 @@ class SceneReader final : public KeyVisitor {
   Scope scope_;
   std::vector<Diagnostic> diagnostics_;
 };
+
+/// Throws the errors in the order of the file `name`, without those beyond the first 20.
+void throw_errors(std::vector<Diagnostic> errors, const SceneReader& reader,
+                  const std::string& name);
 
 }  // namespace freshet
