@@ -174,7 +174,7 @@ template <int D> class GeometryIn final : public Surfaces::Geometry {
         append(all.x, point.x);
         append(all.normal, point.normal);
         append(all.traction, traction);
-        all.pressure.push_back(norm2(point.normal) > 0 ? float(-dot(traction, point.normal))
+        all.pressure.push_back(norm2(point.normal) > 0 ? float(0 - dot(traction, point.normal))
                                                        : std::numeric_limits<float>::quiet_NaN());
         all.part.push_back(part);
       }

@@ -359,12 +359,23 @@ TEST_F(Measure, SurfacesOfABodyAddUpToTheForceOnIt) {
   EXPECT_NEAR(own.back(), lift, 0.02 * weight);
 }
 
+TEST_F(Measure, ReflectingWallsHaveNoForceInAFrame) {
+  std::string scene = falling_column();
+  const std::string solver = "[solver]";
+  scene.replace(scene.find(solver), solver.size(),
+                "[walls]\nmethod = \"akinci2012\"\nx_min = \"reflection\"\n[solver]");
+  const Table measured = MeasuredRun(scene).measured({"--forces"});
+  EXPECT_TRUE(std::isnan(column(measured, "force on x_min x").back()));
+  EXPECT_LT(column(measured, "force on y_min y").back(), -100);
+}
+
 TEST_F(Measure, SurfacesAddUpToTheForceOnEachWall) {
   const MeasuredRun run(tank({"wcsph", "akinci2012"}));
   const Table forces = run.measured({"--surfaces"});
   const fs::path file = run / "measured/surfaces/surface_0016.vtp";
   const SurfaceFile surface(file);
   EXPECT_TRUE(contains(read_text(run / "measured/surfaces/surfaces.pvd"), "surface_0016.vtp"));
+  EXPECT_EQ(surface.pressure, read_frame(file).pressure) << "a reader of VTP must understand it";
   const Table observables = read_table(run / "observables.csv");
   const char* names[] = {"x_min", "x_max", "y_min", "y_max"};
   for (int part = 0; part < 4; ++part)
