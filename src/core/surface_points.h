@@ -13,8 +13,8 @@ struct SurfacePoints {
   double area = 0;                 ///< of the surface per point [m²; m in 2D]
   std::vector<float> x;            ///< on the surface, `dimension` numbers per point [m]
   std::vector<float> normal;       ///< towards the fluid, a unit vector; 0 if unknown
-  std::vector<float> traction;     ///< force of the fluid over area [Pa; N/m in 2D]
-  std::vector<float> pressure;     ///< minus traction · normal [Pa; N/m in 2D]
+  std::vector<float> traction;     ///< force of the fluid over area [Pa]
+  std::vector<float> pressure;     ///< minus traction · normal [Pa]
   std::vector<std::int32_t> part;  ///< see BoundaryForces::part
   std::size_t size() const { return part.size(); }
 };

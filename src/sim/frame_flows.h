@@ -15,8 +15,9 @@ class FrameFlows {
  public:
   /// Particles through a counter, along its direction minus against it.
   struct Passed {
-    double volume = 0;  ///< since the first frame, each particle with its volume at rest [m^D]
-    double rate = 0;    ///< mean since the frame before; 0 at the first [m^D/s]
+    double volume =
+        0;  ///< since the first frame, each particle with its volume at rest [m^3; m^2 in 2D]
+    double rate = 0;  ///< mean since the frame before; 0 at the first [m^3/s; m^2/s in 2D]
   };
   /// The scene must have its defaults filled in.
   explicit FrameFlows(const Scene& scene);
