@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "freshet/error.h"
+#include "freshet/frame.h"
+
+namespace freshet {
+
+/// A closed triangle mesh. Every edge belongs to two triangles, which run along it in opposite
+/// directions. SI units.
+struct SurfaceMesh {
+  using Point = std::array<float, 3>;
+  std::vector<Point> position;                          ///< [m]
+  std::vector<Point> normal;                            ///< unit vectors, out of the fluid
+  std::vector<Point> velocity;                          ///< of the fluid at the vertex [m/s]
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counterclockwise seen from outside
+};
+
+/// The enclosed volume [m³] and the area [m²] of a mesh.
+double volume_of(const SurfaceMesh& mesh);
+double area_of(const SurfaceMesh& mesh);
+
+/// How a surface is computed. Lengths are in particle spacings.
+struct SurfaceSettings {
+  double cell = 0.5;   ///< edge length of a grid cell, 0.1 to 2
+  double radius = 2;   ///< support radius of the density field, 1 to 6
+  double level = 0.6;  ///< of the density field, 0.05 to 0.95: 1 deep in the fluid and at the
+                       ///< centre of a lone particle
+  int smooth = 10;     ///< smoothing steps, 0 to 100
+};
+
+/// The surface of the particles of a frame in 3D. Deterministic: it has the same bits for any
+/// number of threads.
+///
+///   spacing    of the particles [m]
+///   origin     a grid point [m]; grid coordinates are measured from here
+///   threads    as in freshet::render; 0: as many as the machine has
+///
+/// Throws Error (kind scene) if the frame is in 2D, if a setting is out of range, or if a particle
+/// has a position that is not finite or more than 10^6 cells away from the origin.
+SurfaceMesh surface_of(const Frame& frame, double spacing, const std::array<double, 3>& origin,
+                       const SurfaceSettings& settings = {}, int threads = 0);
+
+}  // namespace freshet
