@@ -24,6 +24,7 @@ int run_program(int argc, char** argv) {
   add_run(program, {argv, argv + argc});
   add_resume(program, {argv, argv + argc});
   add_render(program);
+  add_surface(program);
   add_new(program);
   add_check(program);
   add_info(program);

@@ -36,6 +36,9 @@ struct SurfaceSettings {
   int smooth = 10;     ///< smoothing steps, 0 to 100
 };
 
+/// Throws Error (kind scene) at "option NAME VALUE" if a setting is out of range or not finite.
+void check_surface_settings(const SurfaceSettings& settings);
+
 /// The surface of the particles of a frame in 3D. Deterministic: it has the same bits for any
 /// number of threads.
 ///
@@ -47,5 +50,40 @@ struct SurfaceSettings {
 /// has a position that is not finite or more than 10^6 cells away from the origin.
 SurfaceMesh surface_of(const Frame& frame, double spacing, const std::array<double, 3>& origin,
                        const SurfaceSettings& settings = {}, int threads = 0);
+
+enum class SurfaceFormat { ply, obj, vtp, glb };
+
+struct SurfaceOptions {
+  std::filesystem::path run;     ///< the folder of a run, with its data/
+  std::filesystem::path output;  ///< folder of the surfaces; RUN/surface if empty
+  bool overwrite = false;        ///< replace existing surfaces
+  SurfaceFormat format = SurfaceFormat::ply;
+  SurfaceSettings settings;
+  bool phases = false;  ///< a surface for each liquid instead of one for all
+  /// The numbers of the data files: from, from + every, ... up to `to`.
+  std::int64_t from = 0, every = 1;
+  std::optional<std::int64_t> to;  ///< the last one if empty
+  int threads = 0;                 ///< 0: as many as the machine has
+  /// Called after every data file with the number done and the total. Returning false stops;
+  /// finished surfaces stay.
+  std::function<bool(std::size_t done, std::size_t all)> after_surface;
+  /// Receives a warning before the first surface if data files are missing between others.
+  std::function<void(const std::vector<Diagnostic>&)> warn;
+};
+
+struct SurfaceReport {
+  std::vector<std::filesystem::path> files;
+  bool interrupted = false;
+  double seconds = 0;  ///< total wall time
+};
+
+/// Writes the surfaces of the frames of a run from its data files: output/surface_0000.ply ..., or
+/// surface_liquid0_0000.ply ... with `phases`. A surface has the number of its data file. A frame
+/// without particles gives a mesh without triangles. For VTP, surfaces.pvd holds the times.
+///
+/// Throws Error (kind scene) if the folder holds no run or no data, the run is in 2D, no data file
+/// has a chosen number, a surface exists (unless `overwrite`), a data file is damaged or a setting
+/// is out of range. Throws Error (kind run) if a file cannot be written.
+SurfaceReport make_surfaces(const SurfaceOptions& options);
 
 }  // namespace freshet

@@ -5,28 +5,10 @@
 #include <numeric>
 
 #include "io/frame_data.h"
+#include "io/vtp_arrays.h"
 
 namespace freshet {
 namespace {
-
-/// The appended data: arrays, each after its size in bytes.
-class Appended {
- public:
-  /// Appends an array and returns its DataArray element.
-  template <class T>
-  std::string array(const char* type, const char* name, int components,
-                    const std::vector<T>& values) {
-    const std::string element = fmt::format(
-        "        <DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" "
-        "offset=\"{}\"/>\n",
-        type, name, components, bytes.size());
-    const std::uint64_t size = values.size() * sizeof(T);
-    bytes.append(reinterpret_cast<const char*>(&size), sizeof size);
-    bytes.append(reinterpret_cast<const char*>(values.data()), size);
-    return element;
-  }
-  std::string bytes;
-};
 
 /// Three numbers per particle; z is 0 in 2D.
 std::vector<float> in_space(const std::vector<float>& values, int dimension) {
@@ -38,7 +20,7 @@ std::vector<float> in_space(const std::vector<float>& values, int dimension) {
   return all;
 }
 
-std::string point_data(const Frame& frame, const DataFields& fields, Appended& data) {
+std::string point_data(const Frame& frame, const DataFields& fields, VtpArrays& data) {
   std::string text = "      <PointData>\n";
   if (fields.velocity)
     text += data.array("Float32", "velocity", 3, in_space(frame.v, frame.dimension));
@@ -50,7 +32,7 @@ std::string point_data(const Frame& frame, const DataFields& fields, Appended& d
 }
 
 /// A vertex cell per particle: other programs show nothing without cells.
-template <class Index> std::string verts(std::size_t n, const char* type, Appended& data) {
+template <class Index> std::string verts(std::size_t n, const char* type, VtpArrays& data) {
   std::vector<Index> places(n);
   std::iota(places.begin(), places.end(), Index(0));
   std::string text = "      <Verts>\n" + data.array(type, "connectivity", 1, places);
@@ -62,7 +44,7 @@ template <class Index> std::string verts(std::size_t n, const char* type, Append
 
 std::string encode_vtp(const Frame& frame, const DataFields& fields) {
   const std::size_t n = frame.size();
-  Appended data;
+  VtpArrays data;
   std::string text = fmt::format(
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "

@@ -8,13 +8,14 @@
 #include "core/input_file.h"
 #include "freshet/render.h"
 #include "freshet/simulation.h"
-#include "io/folder.h"
 #include "io/frame_files.h"
 #include "io/video.h"
 #include "render/draw.h"
 #include "render/png.h"
 #include "run/body_table.h"
+#include "run/frame_gaps.h"
 #include "run/percentile_table.h"
+#include "run/result_folder.h"
 #include "scene/keys/override_place.h"
 #include "scene/model/picture_layout.h"
 
@@ -42,55 +43,17 @@ Scene scene_of(const RenderOptions& options) {
   return load_scene(file, options.overrides);
 }
 
-/// The pictures of a rendering: in a folder that the options name, or in RUN/pictures.
-class PictureFolder {
- public:
-  explicit PictureFolder(const RenderOptions& options)
-      : below_(options.output.empty() ? "pictures/" : ""),
-        folder_(options.output.empty() ? options.run : made_folder(options.output)) {
-    folder_.make_folder_of(below_);
-  }
-  void check(const RenderOptions& options, const std::vector<FrameFile>& frames) const {
-    for (const FrameFile& frame : frames)
-      if (!options.overwrite && folder_.holds(name(frame)))
-        throw Error(
-            Error::Kind::scene, (folder_.path() / below_).string(),
-            "this folder holds pictures; `overwrite` replaces them, or choose another `output`",
-            {"overwrite", "output"});
-  }
-  fs::path write(const FrameFile& frame, const Image& image) const {
-    folder_.write(name(frame), encode_png(image));
-    return folder_.path() / name(frame);
-  }
+std::string picture_name(const FrameFile& frame) {
+  return fmt::format("frame_{:04}.png", frame.number);
+}
 
- private:
-  std::string name(const FrameFile& frame) const {
-    return fmt::format("{}frame_{:04}.png", below_, frame.number);
-  }
-  std::string below_;
-  Folder folder_;
-};
-
-/// A warning that names the data files that are missing between others, or nothing.
-std::vector<Diagnostic> gaps_in(const std::vector<FrameFile>& frames) {
-  std::vector<std::string> missing;
-  std::int64_t next = 0;
-  for (const FrameFile& frame : frames) {
-    if (frame.number == next + 1) missing.push_back(fmt::format("{:04}", next));
-    if (frame.number > next + 1)
-      missing.push_back(fmt::format("{:04} to {:04}", next, frame.number - 1));
-    next = frame.number + 1;
-  }
-  if (missing.empty()) return {};
-  constexpr std::size_t most = 5;
-  std::string list;
-  for (std::size_t k = 0; k < std::min(missing.size(), most); ++k)
-    list += (k == 0 ? "" : ", ") + missing[k];
-  if (missing.size() > most) list += " and more";
-  return {{Diagnostic::Severity::warning, frames.front().path.parent_path().string(),
-           fmt::format("data files are missing: {}; they get no picture, and the others keep their "
-                       "numbers; to have all, put the files back or run the scene again",
-                       list)}};
+/// The folder of the pictures: one that the options name, or RUN/pictures.
+ResultFolder picture_folder(const RenderOptions& options, const std::vector<FrameFile>& frames) {
+  ResultFolder folder(options.run, options.output, "pictures");
+  std::vector<std::string> names;
+  for (const FrameFile& frame : frames) names.push_back(picture_name(frame));
+  if (!options.overwrite) folder.refuse_existing(names, "pictures");
+  return folder;
 }
 
 /// The bodies of the frames of a run, by bodies.csv.
@@ -194,10 +157,10 @@ RenderReport render(const RenderOptions& options) {
         "this run wrote no data to draw (its folder has no data/); run its scene again with "
         "data files switched on");
   const FrameBodies bodies(options.run, scene);
-  const PictureFolder pictures(options);
-  pictures.check(options, frames);
+  const ResultFolder pictures = picture_folder(options, frames);
   if (options.video) check_video(options.video->file, options.video->fps, options.overwrite);
-  if (const auto gaps = gaps_in(frames); options.warn && !gaps.empty()) options.warn(gaps);
+  if (const auto gaps = gaps_in(frames, "picture"); options.warn && !gaps.empty())
+    options.warn(gaps);
   FrameRanges ranges(options, scene);
   std::optional<Film> film;
   if (options.video) film.emplace(picture_layout(scene), *options.video);
@@ -210,7 +173,7 @@ RenderReport render(const RenderOptions& options) {
                               frame.dimension, scene.dimension()));
     bodies.put_into(frame, file.path);
     const Image image = draw(scene, frame, ranges.of(frame), threads);
-    report.pictures.push_back(pictures.write(file, image));
+    report.pictures.push_back(pictures.write(picture_name(file), encode_png(image)));
     if (film) film->add(image, frame.time);
     report.interrupted =
         options.after_picture && !options.after_picture(report.pictures.size(), frames.size());

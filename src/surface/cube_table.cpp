@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "surface/cube_table.h"
 
-#include <optional>
 #include <vector>
 
 namespace freshet {
 namespace {
 
-constexpr int corners = 8, edges = 12, faces = 6;
+constexpr int edges = 12, faces = 6;
 
 int edge_between(int a, int b) {
   for (int e = 0; e < edges; ++e) {

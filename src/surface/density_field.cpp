@@ -51,7 +51,7 @@ void add_particle(DensityField::Values& values, Vec<3, float> at, float volume, 
     for (Points py(at.y, std::sqrt(left2)); py.first <= py.last; ++py.first) {
       const float dy = float(py.first) - at.y, yz2 = dz * dz + dy * dy;
       float* row = values.data() + point_index(0, py.first, pz.first);
-      for (int x = 0; x < block_cells; ++x) {
+      for (int x = 0; x < block_cells; ++x) {  // those beyond the support add 0
         const float dx = float(x) - at.x;
         row[x] += volume * spline(yz2 + dx * dx);
       }

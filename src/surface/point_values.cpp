@@ -11,7 +11,7 @@ namespace {
 constexpr float farthest_step = 0.25f;  // [cells]; keeps triangles from turning over
 /// A droplet of one particle has a lower level, as its few flat triangles lie within the round
 /// surface. Its volume is then that of the particle.
-constexpr float droplet_level = 0.92f;
+constexpr float droplet_level = 0.87f;
 
 /// Computes the values of points, bin by bin.
 class BinValues {

@@ -18,7 +18,11 @@ struct Smoothing {
 /// evenly over droplets, which keep their size.
 ///
 /// The steps are twiced [Tukey 1977]: they smooth the mesh, then smooth what they took from it, and
-/// put that back. Ripples go, while shapes that are large beside a cell keep their volume.
+/// put that back. Ripples go, while shapes that are large beside a cell stay. At the end each
+/// connected part gets its volume back by an even step along the normals.
 void smooth(GridMesh& mesh, const Smoothing& smoothing, const Threads& threads);
+
+/// The sum of the area vectors of the triangles around each point [cells²].
+std::vector<GridMesh::Point> area_vectors(const GridMesh& mesh);
 
 }  // namespace freshet

@@ -25,13 +25,6 @@ void check(const char* name, double value, double low, double high) {
                 fmt::format("it must be from {:g} to {:g}", low, high));
 }
 
-void check(const SurfaceSettings& s) {
-  check("cell", s.cell, 0.1, 2);
-  check("radius", s.radius, 1, 6);
-  check("level", s.level, 0.05, 0.95);
-  check("smooth", s.smooth, 0, 100);
-}
-
 /// A frame's place in space and the size of its grid.
 struct Grid {
   std::array<double, 3> origin;  ///< [m]
@@ -75,12 +68,7 @@ SurfaceMesh::Point unit(Point n) {
 /// Unit normals: the mean of the triangles around each point by their area. Droplets have few
 /// triangles: theirs are the field's normals.
 std::vector<SurfaceMesh::Point> normals_of(const GridMesh& mesh, const Smoothing& field) {
-  std::vector<Point> sum(mesh.points.size(), Point{0, 0, 0});
-  for (const auto& t : mesh.triangles) {
-    const Point a = mesh.points[t[0]];
-    const Point area = cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a);
-    for (const std::uint32_t corner : t) sum[corner] += area;
-  }
+  std::vector<Point> sum = area_vectors(mesh);
   std::vector<SurfaceMesh::Point> normals;
   normals.reserve(sum.size());
   for (std::size_t k = 0; k < sum.size(); ++k) {
@@ -103,9 +91,16 @@ SurfaceMesh in_meters(GridMesh mesh, const Grid& grid, const Smoothing& field) {
 
 }  // namespace
 
+void check_surface_settings(const SurfaceSettings& s) {
+  check("cell", s.cell, 0.1, 2);
+  check("radius", s.radius, 1, 6);
+  check("level", s.level, 0.05, 0.95);
+  check("smooth", s.smooth, 0, 100);
+}
+
 SurfaceMesh surface_of(const Frame& frame, double spacing, const std::array<double, 3>& origin,
                        const SurfaceSettings& s, int threads) {
-  check(s);
+  check_surface_settings(s);
   if (frame.dimension != 3) fail("this frame is in 2D; a surface needs a run in 3D");
   const Threads team(thread_count(threads));
   const Grid grid{origin, s.cell * spacing};
