@@ -29,7 +29,7 @@ double area_of(const SurfaceMesh& mesh);
 
 /// How a surface is computed. Lengths are in particle spacings.
 struct SurfaceSettings {
-  double cell = 0.5;   ///< edge length of a grid cell, 0.1 to 2
+  double cell = 0.5;   ///< edge length of a grid cell, 0.1 to 2 and at most half of `radius`
   double radius = 2;   ///< support radius of the density field, 1 to 6
   double level = 0.6;  ///< of the density field, 0.05 to 0.95: 1 deep in the fluid and at the
                        ///< centre of a lone particle
@@ -47,7 +47,7 @@ void check_surface_settings(const SurfaceSettings& settings);
 ///   threads    as in freshet::render; 0: as many as the machine has
 ///
 /// Throws Error (kind scene) if the frame is in 2D, if a setting is out of range, or if a particle
-/// has a position that is not finite or more than 10^6 cells away from the origin.
+/// has a position that is not finite or more than 4·10^6 cells away from the origin.
 SurfaceMesh surface_of(const Frame& frame, double spacing, const std::array<double, 3>& origin,
                        const SurfaceSettings& settings = {}, int threads = 0);
 

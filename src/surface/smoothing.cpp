@@ -2,6 +2,7 @@
 #include "surface/smoothing.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace freshet {
 namespace {
@@ -104,6 +105,19 @@ void restore_volumes(GridMesh& mesh, const Parts& parts, const std::vector<doubl
   }
 }
 
+/// Puts the parts back that smoothing has spoiled: those whose volume could not be restored. They
+/// are as small as a cell, or too many steps have thinned them.
+void put_back_spoiled(GridMesh& mesh, const std::vector<Point>& rough, const Parts& parts,
+                      const std::vector<double>& before) {
+  constexpr double tolerance = 0.1;
+  const std::vector<double> now = volumes_of(mesh, parts);
+  for (std::size_t k = 0; k < rough.size(); ++k) {
+    const auto part = std::size_t(parts.of[k]);
+    if (!(std::abs(now[part] - before[part]) <= tolerance * std::abs(before[part])))
+      mesh.points[k] = rough[k];
+  }
+}
+
 }  // namespace
 
 std::vector<Point> area_vectors(const GridMesh& mesh) {
@@ -121,12 +135,14 @@ void smooth(GridMesh& mesh, const Smoothing& smoothing, const Threads& threads) 
   const Neighbors neighbors(mesh);
   const Parts parts(neighbors);
   const std::vector<double> volumes = volumes_of(mesh, parts);
-  const std::vector<Point> once = smoothed(mesh.points, neighbors, smoothing, threads);
+  const std::vector<Point> rough = mesh.points;
+  const std::vector<Point> once = smoothed(rough, neighbors, smoothing, threads);
   std::vector<Point> taken(once.size());
-  for (std::size_t k = 0; k < once.size(); ++k) taken[k] = mesh.points[k] - once[k];
+  for (std::size_t k = 0; k < once.size(); ++k) taken[k] = rough[k] - once[k];
   taken = smoothed(std::move(taken), neighbors, smoothing, threads);
   for (std::size_t k = 0; k < once.size(); ++k) mesh.points[k] = once[k] + taken[k];
-  restore_volumes(mesh, parts, volumes);
+  for (int pass = 0; pass < 2; ++pass) restore_volumes(mesh, parts, volumes);
+  put_back_spoiled(mesh, rough, parts, volumes);
 }
 
 }  // namespace freshet

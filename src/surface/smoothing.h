@@ -19,7 +19,8 @@ struct Smoothing {
 ///
 /// The steps are twiced [Tukey 1977]: they smooth the mesh, then smooth what they took from it, and
 /// put that back. Ripples go, while shapes that are large beside a cell stay. At the end each
-/// connected part gets its volume back by an even step along the normals.
+/// connected part gets its volume back by even steps along the normals; a part for which this fails
+/// keeps its rough shape.
 void smooth(GridMesh& mesh, const Smoothing& smoothing, const Threads& threads);
 
 /// The sum of the area vectors of the triangles around each point [cells²].

@@ -96,6 +96,13 @@ void check_surface_settings(const SurfaceSettings& s) {
   check("radius", s.radius, 1, 6);
   check("level", s.level, 0.05, 0.95);
   check("smooth", s.smooth, 0, 100);
+  if (s.cell > s.radius / 2)
+    throw Error(
+        Error::Kind::scene, fmt::format("option cell {}", s.cell),
+        fmt::format("it must be at most half of `radius`, which is {}; a coarser grid misses "
+                    "particles",
+                    s.radius),
+        {"radius"});
 }
 
 SurfaceMesh surface_of(const Frame& frame, double spacing, const std::array<double, 3>& origin,

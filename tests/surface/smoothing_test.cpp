@@ -85,5 +85,14 @@ TEST(Smoothing, KeepsTheVolumeOfEachPart) {
   EXPECT_NEAR(volume(part) / volume(small), 1, 0.03);
 }
 
+TEST(Smoothing, KeepsTheRoughShapeOfAPartThatItWouldSpoil) {
+  const Threads threads(1);
+  const GridMesh rough = rippled_ball(4, threads);
+  GridMesh mesh = rough;
+  smooth(mesh, {std::vector<float>(mesh.points.size(), 1), {mesh.points.size(), {0, 0, 0}}, 100},
+         threads);
+  EXPECT_NEAR(volume(mesh) / volume(rough), 1, 1e-12);
+}
+
 }  // namespace
 }  // namespace freshet::test

@@ -142,6 +142,7 @@ TEST(Surface, RejectsWhatHasNone) {
   expect_error(torn, {}, "particle 1 is at (1, 1e+09, 1) m");
   expect_error(good, {.cell = 0}, "option cell 0: error: it must be from 0.1 to 2");
   expect_error(good, {.radius = std::nan("")}, "option radius nan");
+  expect_error(good, {.cell = 1.1}, "option cell 1.1: error: it must be at most half of `radius`");
   expect_error(good, {.level = 1}, "option level 1");
   expect_error(good, {.smooth = -1}, "option smooth -1");
 }
