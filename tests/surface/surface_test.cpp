@@ -45,10 +45,10 @@ TEST(Surface, OfABallHasItsVolumeAndArea) {
 
 TEST(Surface, OfASlabHasItsVolumeAndArea) {
   for (const float jitter : {0.0f, 0.1f}) {
-    const Frame frame = slab(8, 1.2f, dx, jitter);
+    const Frame frame = slab(10, 1.2f, dx, jitter);
     const SurfaceMesh mesh = surface_of(frame, double(dx), origin);
-    EXPECT_NEAR(volume_of(mesh) / (8 * 8 * 1.2), 1, 0.02) << jitter;
-    EXPECT_NEAR(area_of(mesh) / (2 * 8 * 8 + 4 * 8 * 1.2), 1, 0.02) << jitter;
+    EXPECT_NEAR(volume_of(mesh) / (10 * 10 * 1.2), 1, 0.02) << jitter;
+    EXPECT_NEAR(area_of(mesh) / (2 * 10 * 10 + 4 * 10 * 1.2), 1, 0.02) << jitter;
   }
 }
 
