@@ -7,7 +7,7 @@
 
 namespace freshet {
 
-/// What the particles around it give to a point of a mesh.
+/// Values of the points of a mesh, computed from the particles around each.
 struct PointValues {
   /// The mean of the particles' velocities, weighted by volume and spline. Empty if the frame has
   /// none.

@@ -50,7 +50,7 @@ std::vector<Point> smoothed(std::vector<Point> from, const Neighbors& neighbors,
   return from;
 }
 
-/// The parts of a mesh that hang together: a number for each point.
+/// The connected parts of a mesh: a number for each point.
 struct Parts {
   std::vector<int> of;
   std::vector<std::uint32_t> first;  ///< a point of each part

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Particles of simple shapes, and what holds for closed meshes.
+/// Particles in simple shapes, and a check of closed meshes.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -59,9 +59,9 @@ inline Frame cloud(int count, float side, unsigned seed) {
   return fluid_at(std::move(x));
 }
 
-/// What is wrong with a closed manifold mesh: edges that are not in two triangles of opposite
+/// The number of defects of a closed manifold mesh: edges that are not in two triangles of opposite
 /// directions, triangles with the same corners, corners that coincide, points with more than one
-/// fan of triangles around them. 0 if nothing is.
+/// fan of triangles around them.
 inline int faults_of(const SurfaceMesh& mesh) {
   int faults = 0;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> follows;  // edge → third corner
