@@ -25,6 +25,7 @@ int run_program(int argc, char** argv) {
   add_resume(program, {argv, argv + argc});
   add_render(program);
   add_measure(program);
+  add_surface(program);
   add_new(program);
   add_check(program);
   add_info(program);

@@ -28,20 +28,6 @@ VtpPoints::VtpPoints(std::size_t points, double time, std::int64_t step, int dim
                         "      <PointData>\n",
                         time, step, dimension, points, points)) {}
 
-/// Appends an array after its size in bytes, and returns its DataArray element.
-template <class T>
-std::string VtpPoints::array(const char* type, const char* name, int components,
-                             const std::vector<T>& values) {
-  const std::string element = fmt::format(
-      "        <DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" "
-      "offset=\"{}\"/>\n",
-      type, name, components, appended_.size());
-  const std::uint64_t size = values.size() * sizeof(T);
-  appended_.append(reinterpret_cast<const char*>(&size), sizeof size);
-  appended_.append(reinterpret_cast<const char*>(values.data()), size);
-  return element;
-}
-
 std::vector<float> VtpPoints::in_space(const std::vector<float>& values) const {
   if (dimension_ == 3) return values;
   std::vector<float> all;
@@ -52,36 +38,36 @@ std::vector<float> VtpPoints::in_space(const std::vector<float>& values) const {
 }
 
 void VtpPoints::add(const char* name, const std::vector<float>& values) {
-  text_ += array("Float32", name, 1, values);
+  text_ += arrays_.array("Float32", name, 1, values);
 }
 void VtpPoints::add(const char* name, const std::vector<std::int32_t>& values) {
-  text_ += array("Int32", name, 1, values);
+  text_ += arrays_.array("Int32", name, 1, values);
 }
 void VtpPoints::add(const char* name, const std::vector<std::uint64_t>& values) {
-  text_ += array("UInt64", name, 1, values);
+  text_ += arrays_.array("UInt64", name, 1, values);
 }
 void VtpPoints::add_vectors(const char* name, const std::vector<float>& values) {
-  text_ += array("Float32", name, 3, in_space(values));
+  text_ += arrays_.array("Float32", name, 3, in_space(values));
 }
 
 /// A vertex cell per point: other programs show nothing without cells.
 template <class Index> std::string VtpPoints::verts(const char* type) {
   std::vector<Index> places(points_);
   std::iota(places.begin(), places.end(), Index(0));
-  std::string text = "      <Verts>\n" + array(type, "connectivity", 1, places);
+  std::string text = "      <Verts>\n" + arrays_.array(type, "connectivity", 1, places);
   std::iota(places.begin(), places.end(), Index(1));
-  return text + array(type, "offsets", 1, places) + "      </Verts>\n";
+  return text + arrays_.array(type, "offsets", 1, places) + "      </Verts>\n";
 }
 
 std::string VtpPoints::bytes_at(const std::vector<float>& x) && {
-  text_ += "      </PointData>\n      <Points>\n" + array("Float32", "Points", 3, in_space(x)) +
-           "      </Points>\n";
+  text_ += "      </PointData>\n      <Points>\n" +
+           arrays_.array("Float32", "Points", 3, in_space(x)) + "      </Points>\n";
   text_ += points_ <= std::size_t(std::numeric_limits<std::int32_t>::max())
                ? verts<std::int32_t>("Int32")
                : verts<std::int64_t>("Int64");
   text_ += "    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_";
-  text_.reserve(text_.size() + appended_.size() + 40);
-  return std::move(text_) + appended_ + "\n  </AppendedData>\n</VTKFile>\n";
+  text_.reserve(text_.size() + arrays_.bytes.size() + 40);
+  return std::move(text_) + arrays_.bytes + "\n  </AppendedData>\n</VTKFile>\n";
 }
 
 }  // namespace freshet

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "io/vtp_arrays.h"
+
 namespace freshet {
 
 /// Points in a VTK XML PolyData file: arrays in raw appended data, a vertex per point. Field data:
@@ -23,15 +25,13 @@ class VtpPoints {
   std::string bytes_at(const std::vector<float>& x) &&;
 
  private:
-  template <class T>
-  std::string array(const char* type, const char* name, int components,
-                    const std::vector<T>& values);
   template <class Index> std::string verts(const char* type);
   std::vector<float> in_space(const std::vector<float>& values) const;
 
   std::size_t points_;
   int dimension_;
-  std::string text_, appended_;
+  std::string text_;
+  VtpArrays arrays_;
 };
 
 }  // namespace freshet

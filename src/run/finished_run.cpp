@@ -54,27 +54,6 @@ FinishedRun::FinishedRun(const fs::path& folder, const Scene& scene, const char*
   bodies_ = read_bodies(read_input(table_, table), scene, table_);
 }
 
-std::vector<Diagnostic> FinishedRun::gaps(const char* consequence) const {
-  std::vector<std::string> missing;
-  std::int64_t next = 0;
-  for (const FrameFile& file : files_) {
-    if (file.number == next + 1) missing.push_back(fmt::format("{:04}", next));
-    if (file.number > next + 1)
-      missing.push_back(fmt::format("{:04} to {:04}", next, file.number - 1));
-    next = file.number + 1;
-  }
-  if (missing.empty()) return {};
-  constexpr std::size_t most = 5;
-  std::string list;
-  for (std::size_t k = 0; k < std::min(missing.size(), most); ++k)
-    list += (k == 0 ? "" : ", ") + missing[k];
-  if (missing.size() > most) list += " and more";
-  return {{Diagnostic::Severity::warning, files_.front().path.parent_path().string(),
-           fmt::format("data files are missing: {}; {}; to have all, put the files back or run "
-                       "the scene again",
-                       list, consequence)}};
-}
-
 Frame FinishedRun::read(const FrameFile& file, DataFields* stored) const {
   Frame frame = read_frame(file.path, stored);
   if (frame.dimension != scene_.dimension())

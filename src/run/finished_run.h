@@ -28,9 +28,6 @@ class FinishedRun {
   FinishedRun(const std::filesystem::path& folder, const Scene& scene, const char* use);
 
   const std::vector<FrameFile>& files() const { return files_; }
-  /// A warning that names the data files that are missing between others, and what that means; or
-  /// nothing.
-  std::vector<Diagnostic> gaps(const char* consequence) const;
   /// The frame of a file with its bodies. Sets `stored` to the fields that the file has. Throws
   /// Error if the file is damaged or of another dimension, or bodies.csv lacks its time.
   Frame read(const FrameFile& file, DataFields* stored = nullptr) const;

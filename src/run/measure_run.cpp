@@ -12,6 +12,7 @@
 #include "io/folder.h"
 #include "io/surface_vtp.h"
 #include "run/finished_run.h"
+#include "run/frame_gaps.h"
 #include "run/measured_tables.h"
 #include "scene/check/probe_warnings.h"
 #include "scene/keys/measured_scene.h"
@@ -237,8 +238,9 @@ MeasureReport measure(const MeasureOptions& options) {
   const FinishedRun run(options.run, own, "measure");
   MeasuredFiles files(options, needs_folder(scene, options.surfaces));
   warn_of(options, probe_warnings(scene));
-  warn_of(options, run.gaps("the table has no rows for them, and flows are those between the "
-                            "others"));
+  warn_of(options, gaps_in(run.files(),
+                           "the table has no rows for them, and flows are those between the "
+                           "others"));
   Measurement measurement(options, scene);
   MeasureReport report;
   for (const FrameFile& file : run.files()) {

@@ -6,12 +6,13 @@
 
 #include "freshet/render.h"
 #include "freshet/simulation.h"
-#include "io/folder.h"
 #include "io/video.h"
 #include "render/draw.h"
 #include "render/png.h"
 #include "run/finished_run.h"
+#include "run/frame_gaps.h"
 #include "run/percentile_table.h"
+#include "run/result_folder.h"
 #include "scene/model/picture_layout.h"
 
 namespace freshet {
@@ -19,34 +20,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The pictures of a rendering: in a folder that the options name, or in RUN/pictures.
-class PictureFolder {
- public:
-  explicit PictureFolder(const RenderOptions& options)
-      : below_(options.output.empty() ? "pictures/" : ""),
-        folder_(options.output.empty() ? options.run : made_folder(options.output)) {
-    folder_.make_folder_of(below_);
-  }
-  void check(const RenderOptions& options, const std::vector<FrameFile>& frames) const {
-    for (const FrameFile& frame : frames)
-      if (!options.overwrite && folder_.holds(name(frame)))
-        throw Error(
-            Error::Kind::scene, (folder_.path() / below_).string(),
-            "this folder holds pictures; `overwrite` replaces them, or choose another `output`",
-            {"overwrite", "output"});
-  }
-  fs::path write(const FrameFile& frame, const Image& image) const {
-    folder_.write(name(frame), encode_png(image));
-    return folder_.path() / name(frame);
-  }
+std::string picture_name(const FrameFile& frame) {
+  return fmt::format("frame_{:04}.png", frame.number);
+}
 
- private:
-  std::string name(const FrameFile& frame) const {
-    return fmt::format("{}frame_{:04}.png", below_, frame.number);
-  }
-  std::string below_;
-  Folder folder_;
-};
+/// The folder of the pictures: one that the options name, or RUN/pictures.
+ResultFolder picture_folder(const RenderOptions& options, const std::vector<FrameFile>& frames) {
+  ResultFolder folder(options.run, options.output, "pictures");
+  std::vector<std::string> names;
+  for (const FrameFile& frame : frames) names.push_back(picture_name(frame));
+  if (!options.overwrite) folder.refuse_existing(names, "pictures");
+  return folder;
+}
 
 /// The colour ranges of the frames of a run, by percentiles.csv. Runs of older versions have none:
 /// the frames themselves then count in their order.
@@ -115,10 +100,10 @@ RenderReport render(const RenderOptions& options) {
        "the run is over: only keys of [picture] and [camera] can change now; run the scene again "
        "for others"});
   const FinishedRun run(options.run, scene, "draw");
-  const PictureFolder pictures(options);
-  pictures.check(options, run.files());
+  const ResultFolder pictures = picture_folder(options, run.files());
   if (options.video) check_video(options.video->file, options.video->fps, options.overwrite);
-  if (const auto gaps = run.gaps("they get no picture, and the others keep their numbers");
+  if (const auto gaps =
+          gaps_in(run.files(), "they get no picture, and the others keep their numbers");
       options.warn && !gaps.empty())
     options.warn(gaps);
   FrameRanges ranges(options, scene);
@@ -128,7 +113,7 @@ RenderReport render(const RenderOptions& options) {
   for (const FrameFile& file : run.files()) {
     const Frame frame = run.read(file);
     const Image image = draw(scene, frame, ranges.of(frame), threads);
-    report.pictures.push_back(pictures.write(file, image));
+    report.pictures.push_back(pictures.write(picture_name(file), encode_png(image)));
     if (film) film->add(image, frame.time);
     report.interrupted =
         options.after_picture && !options.after_picture(report.pictures.size(), run.files().size());

@@ -39,6 +39,7 @@ const std::map<std::string, std::set<std::string>> arrows{
      {"api", "boundary", "core", "mesh", "scene", "btBulletDynamicsCommon.h", "BulletCollision",
       "BulletDynamics"}},
     {"render", {"api", "boundary", "cairo", "core", "fmt", "mesh", "scene", "spng.h"}},
+    {"surface", {"api", "backend/cpu/threads.h", "core", "fmt"}},
     {"io",
      {"api", "core", "render", "formats", "fmt", "nlohmann", "hdf5.h", "commit.h", "gif_lib.h",
       "webp"}},

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/folder.h"
+
+namespace freshet {
+
+/// The folder of files that are made from a finished run.
+class ResultFolder {
+ public:
+  /// The folder `output`, or RUN/`standard` if that is empty. It is made where it is missing.
+  ResultFolder(const std::filesystem::path& run, const std::filesystem::path& output,
+               const std::string& standard);
+  /// Throws Error (kind scene) if one of these files exists. `noun`: what the files are.
+  void refuse_existing(const std::vector<std::string>& names, const std::string& noun) const;
+  std::filesystem::path write(const std::string& name, std::string_view bytes) const;
+
+ private:
+  std::string below_;
+  Folder folder_;
+};
+
+}  // namespace freshet

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <chrono>
+#include <limits>
+
+#include "freshet/scene.h"
+#include "freshet/simulation.h"
+#include "freshet/surface.h"
+#include "io/frame_data.h"
+#include "io/frame_files.h"
+#include "io/surface_files.h"
+#include "run/finished_run.h"
+#include "run/frame_gaps.h"
+#include "run/result_folder.h"
+
+namespace freshet {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_options(const SurfaceOptions& options) {
+  check_surface_settings(options.settings);
+  thread_count(options.threads);  // throws for too many
+  if (options.from < 0)
+    throw Error(Error::Kind::scene, fmt::format("option from {}", options.from),
+                "it must be from 0 on");
+  if (options.every < 1)
+    throw Error(Error::Kind::scene, fmt::format("option every {}", options.every),
+                "it must be from 1 on");
+}
+
+Scene scene_in_3d(const fs::path& run) {
+  Scene scene = scene_of_run(run, {}, {});
+  if (scene.dimension() != 3)
+    throw Error(Error::Kind::scene, (run / "scene.toml").string(),
+                "this run is in 2D; a surface needs a run in 3D");
+  return scene;
+}
+
+/// The data files that the options choose.
+std::vector<FrameFile> chosen_frames(const SurfaceOptions& options) {
+  const std::vector<FrameFile> all = frame_files(options.run);
+  if (all.empty())
+    throw Error(Error::Kind::scene, options.run.string(),
+                "this run wrote no data to make surfaces of (its folder has no data/); run its "
+                "scene again with data files switched on");
+  const std::int64_t to = options.to.value_or(std::numeric_limits<std::int64_t>::max());
+  std::vector<FrameFile> chosen;
+  for (const FrameFile& frame : all)
+    if (frame.number >= options.from && frame.number <= to &&
+        (frame.number - options.from) % options.every == 0)
+      chosen.push_back(frame);
+  if (chosen.empty())
+    throw Error(Error::Kind::scene, all.front().path.parent_path().string(),
+                fmt::format("no data file has a number that is chosen; they have numbers from "
+                            "{:04} to {:04}, change `from`, `to` or `every`",
+                            all.front().number, all.back().number),
+                {"from", "to", "every"});
+  return chosen;
+}
+
+/// Makes the surfaces of frames, one at a time.
+class SurfaceSeries {
+ public:
+  SurfaceSeries(const SurfaceOptions& options, const Scene& scene,
+                const std::vector<FrameFile>& frames)
+      : options_(options),
+        scene_(scene),
+        liquids_(options.phases ? int(scene.liquids().size()) : 1),
+        folder_(options.run, options.output, "surface") {
+    for (std::size_t k = 0; k < 3 && k < scene.domain.min.size(); ++k)
+      origin_[k] = scene.domain.min[k];
+    std::vector<std::string> names;
+    for (const FrameFile& frame : frames)
+      for (int liquid = 0; liquid < liquids_; ++liquid) names.push_back(name(frame, liquid));
+    for (int liquid = 0; liquid < liquids_ && has_times(); ++liquid)
+      names.push_back(times_name(liquid));
+    if (!options.overwrite) folder_.refuse_existing(names, "surfaces");
+  }
+
+  void add(const FrameFile& file, SurfaceReport& report) {
+    const Frame frame = read_frame(file.path);
+    times_.push_back(frame.time);
+    for (int liquid = 0; liquid < liquids_; ++liquid) {
+      const SurfaceMesh mesh = mesh_of(options_.phases ? part_of(frame, liquid) : frame, file.path);
+      const std::string bytes = encode_surface(options_.format, mesh, {frame.time, frame.step});
+      report.files.push_back(folder_.write(name(file, liquid), bytes));
+    }
+  }
+  /// Writes the times of the surfaces for ParaView.
+  void finish(const std::vector<FrameFile>& frames) const {
+    for (int liquid = 0; liquid < liquids_ && has_times(); ++liquid) {
+      std::vector<std::string> names;
+      for (const FrameFile& frame : frames) names.push_back(name(frame, liquid));
+      folder_.write(times_name(liquid), encode_pvd(times_, names));
+    }
+  }
+
+ private:
+  std::string name(const FrameFile& frame, int liquid) const {
+    const std::string phase = options_.phases ? fmt::format("liquid{}_", liquid) : "";
+    return fmt::format("surface_{}{:04}{}", phase, frame.number, extension_of(options_.format));
+  }
+  bool has_times() const { return options_.format == SurfaceFormat::vtp; }
+  std::string times_name(int liquid) const {
+    return options_.phases ? fmt::format("surfaces_liquid{}.pvd", liquid) : "surfaces.pvd";
+  }
+  /// The particles of one liquid.
+  static Frame part_of(const Frame& frame, int liquid) {
+    if (frame.liquid.empty() && liquid == 0) return frame;
+    Frame part;
+    part.dimension = frame.dimension;
+    const auto d = std::size_t(frame.dimension);
+    for (std::size_t i = 0; i < frame.liquid.size(); ++i) {
+      if (frame.liquid[i] != liquid) continue;
+      part.id.push_back(frame.id[i]);
+      part.x.insert(part.x.end(), &frame.x[d * i], &frame.x[d * i] + d);
+      part.v.insert(part.v.end(), &frame.v[d * i], &frame.v[d * i] + d);
+    }
+    return part;
+  }
+  /// Errors about the frame get the place of its file.
+  SurfaceMesh mesh_of(const Frame& frame, const fs::path& file) const {
+    try {
+      return surface_of(frame, scene_.particles.spacing, origin_, options_.settings,
+                        options_.threads);
+    } catch (const Error& e) {
+      std::vector<Diagnostic> all = e.diagnostics();
+      for (Diagnostic& d : all)
+        if (d.place.empty()) d.place = file.string();
+      throw Error(e.kind(), std::move(all));
+    }
+  }
+
+  const SurfaceOptions& options_;
+  const Scene& scene_;
+  int liquids_;
+  ResultFolder folder_;
+  std::array<double, 3> origin_{};
+  std::vector<double> times_;
+};
+
+}  // namespace
+
+SurfaceReport make_surfaces(const SurfaceOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  check_options(options);
+  const Scene scene = scene_in_3d(options.run);
+  const std::vector<FrameFile> frames = chosen_frames(options);
+  if (const auto gaps = gaps_in(frames, "they get no surface, and the others keep their numbers",
+                                options.from, options.every);
+      options.warn && !gaps.empty())
+    options.warn(gaps);
+  SurfaceSeries surfaces(options, scene, frames);
+  SurfaceReport report;
+  for (std::size_t k = 0; k < frames.size() && !report.interrupted; ++k) {
+    surfaces.add(frames[k], report);
+    report.interrupted = options.after_surface && !options.after_surface(k + 1, frames.size());
+  }
+  surfaces.finish(frames);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
+}  // namespace freshet

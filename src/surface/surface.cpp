@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "freshet/surface.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "freshet/simulation.h"
+#include "surface/point_values.h"
+#include "surface/smoothing.h"
+
+namespace freshet {
+namespace {
+
+using Point = GridMesh::Point;
+
+[[noreturn]] void fail(const std::string& message, std::vector<std::string> options = {}) {
+  throw Error(Error::Kind::scene, "", message, std::move(options));
+}
+
+void check(const char* name, double value, double low, double high) {
+  if (!(value >= low && value <= high))  // true for NaN as well
+    throw Error(Error::Kind::scene, fmt::format("option {} {}", name, value),
+                fmt::format("it must be from {:g} to {:g}", low, high));
+}
+
+/// A frame's place in space and the size of its grid.
+struct Grid {
+  std::array<double, 3> origin;  ///< [m]
+  double cell;                   ///< [m]
+  Point to_cells(const float* x) const {
+    return {(double(x[0]) - origin[0]) / cell, (double(x[1]) - origin[1]) / cell,
+            (double(x[2]) - origin[2]) / cell};
+  }
+  SurfaceMesh::Point to_meters(Point p) const {
+    return {float(origin[0] + cell * p.x), float(origin[1] + cell * p.y),
+            float(origin[2] + cell * p.z)};
+  }
+};
+
+std::vector<Point> positions_of(const Frame& frame, const Grid& grid) {
+  std::vector<Point> positions;
+  positions.reserve(frame.size());
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    const Point x = grid.to_cells(&frame.x[3 * i]);
+    constexpr double farthest = double(bin_cells) * farthest_place;
+    const bool near = std::abs(x.x) < farthest && std::abs(x.y) < farthest &&
+                      std::abs(x.z) < farthest;  // false for NaN as well
+    if (!near)
+      fail(fmt::format("particle {} is at ({:g}, {:g}, {:g}) m; positions must be finite, and at "
+                       "most {:g} grid cells of {:g} m away from the domain's corner; run the "
+                       "scene again, or use a larger `cell`",
+                       frame.id[i], frame.x[3 * i], frame.x[3 * i + 1], frame.x[3 * i + 2],
+                       farthest, grid.cell),
+           {"cell"});
+    positions.push_back(x);
+  }
+  return positions;
+}
+
+SurfaceMesh::Point unit(Point n) {
+  const double length = norm(n);
+  if (!(length > 0)) return {0, 1, 0};
+  return {float(n.x / length), float(n.y / length), float(n.z / length)};
+}
+
+/// Unit normals: the mean of the triangles around each point by their area. Droplets have few
+/// triangles: theirs are the field's normals.
+std::vector<SurfaceMesh::Point> normals_of(const GridMesh& mesh, const Smoothing& field) {
+  std::vector<Point> sum = area_vectors(mesh);
+  std::vector<SurfaceMesh::Point> normals;
+  normals.reserve(sum.size());
+  for (std::size_t k = 0; k < sum.size(); ++k) {
+    const double length = norm(sum[k]), weight = double(field.weight[k]);
+    const Vec<3, float> n = field.normal[k];
+    if (length > 0) sum[k] = weight / length * sum[k];
+    normals.push_back(unit(sum[k] + (1 - weight) * Point{double(n.x), double(n.y), double(n.z)}));
+  }
+  return normals;
+}
+
+SurfaceMesh in_meters(GridMesh mesh, const Grid& grid, const Smoothing& field) {
+  SurfaceMesh out;
+  out.normal = normals_of(mesh, field);
+  out.position.reserve(mesh.points.size());
+  for (const Point& p : mesh.points) out.position.push_back(grid.to_meters(p));
+  out.triangles = std::move(mesh.triangles);
+  return out;
+}
+
+}  // namespace
+
+void check_surface_settings(const SurfaceSettings& s) {
+  check("cell", s.cell, 0.1, 2);
+  check("radius", s.radius, 1, 6);
+  check("level", s.level, 0.05, 0.95);
+  check("smooth", s.smooth, 0, 100);
+  if (s.cell > s.radius / 2)
+    throw Error(
+        Error::Kind::scene, fmt::format("option cell {}", s.cell),
+        fmt::format("it must be at most half of `radius`, which is {}; a coarser grid misses "
+                    "particles",
+                    s.radius),
+        {"radius"});
+}
+
+SurfaceMesh surface_of(const Frame& frame, double spacing, const std::array<double, 3>& origin,
+                       const SurfaceSettings& s, int threads) {
+  check_surface_settings(s);
+  if (frame.dimension != 3) fail("this frame is in 2D; a surface needs a run in 3D");
+  const Threads team(thread_count(threads));
+  const Grid grid{origin, s.cell * spacing};
+  const float level = float(s.level), support = float(s.radius / s.cell);
+  const ParticleBins bins(positions_of(frame, grid), support);
+  const std::vector<float> volumes = particle_volumes(bins, team);
+  const DensityField field(bins, volumes, team);
+  GridMesh mesh = marching_cubes(field, level, team);
+  // the spline's integral over a spacing³, as a sum over particles deep in the liquid
+  const double deep = 3.14159265358979 / 8 * s.radius * s.radius * s.radius;
+  PointValues values =
+      point_values(mesh, field, {bins, volumes, frame.v, level, float(deep)}, team);
+  for (std::size_t k = 0; k < mesh.points.size(); ++k)
+    mesh.points[k] +=
+        Point{double(values.step[k].x), double(values.step[k].y), double(values.step[k].z)};
+  const Smoothing smoothing{std::move(values.fill), std::move(values.normal), s.smooth};
+  smooth(mesh, smoothing, team);
+  SurfaceMesh out = in_meters(std::move(mesh), grid, smoothing);
+  out.velocity = std::move(values.velocity);
+  return out;
+}
+
+}  // namespace freshet
