@@ -69,21 +69,13 @@ std::string encode_surface_obj(const SurfaceMesh& mesh, const SurfaceTime& time)
 
 std::string encode_surface_vtp(const SurfaceMesh& mesh, const SurfaceTime& time) {
   VtpArrays data;
-  std::string text = fmt::format(
-      "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n"
-      "  <PolyData>\n"
-      "    <FieldData>\n"
-      "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
-      "format=\"ascii\">{}</DataArray>\n"
-      "      <DataArray type=\"Int64\" Name=\"Step\" NumberOfTuples=\"1\" "
-      "format=\"ascii\">{}</DataArray>\n"
+  std::string text = vtp_start(time.time, time.step);
+  text += fmt::format(
       "    </FieldData>\n"
       "    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" "
       "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n"
       "      <PointData Normals=\"Normals\" Vectors=\"velocity\">\n",
-      time.time, time.step, mesh.position.size(), mesh.triangles.size());
+      mesh.position.size(), mesh.triangles.size());
   text += data.array("Float32", "Normals", 3, mesh.normal);
   if (!mesh.velocity.empty()) text += data.array("Float32", "velocity", 3, mesh.velocity);
   text += "      </PointData>\n      <Points>\n" +
@@ -96,8 +88,7 @@ std::string encode_surface_vtp(const SurfaceMesh& mesh, const SurfaceTime& time)
   }
   text += data.array("Int64", "connectivity", 1, corners);
   text += data.array("Int64", "offsets", 1, ends);
-  text += "      </Polys>\n    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_";
-  return text + data.bytes + "\n  </AppendedData>\n</VTKFile>\n";
+  return vtp_file(std::move(text) + "      </Polys>\n", data);
 }
 
 std::string encode_surface(SurfaceFormat format, const SurfaceMesh& mesh, const SurfaceTime& time) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace freshet {
@@ -26,5 +27,27 @@ class VtpArrays {
   }
   std::string bytes;
 };
+
+/// The start of a VTK XML PolyData file of a time [s] and step, within its FieldData.
+inline std::string vtp_start(double time, std::int64_t step) {
+  return fmt::format(
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n"
+      "  <PolyData>\n"
+      "    <FieldData>\n"
+      "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
+      "format=\"ascii\">{}</DataArray>\n"
+      "      <DataArray type=\"Int64\" Name=\"Step\" NumberOfTuples=\"1\" "
+      "format=\"ascii\">{}</DataArray>\n",
+      time, step);
+}
+
+/// The file: `text` up to the end of its piece, and the arrays.
+inline std::string vtp_file(std::string text, const VtpArrays& data) {
+  text += "    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_";
+  text.reserve(text.size() + data.bytes.size() + 40);
+  return std::move(text) + data.bytes + "\n  </AppendedData>\n</VTKFile>\n";
+}
 
 }  // namespace freshet

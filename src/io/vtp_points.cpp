@@ -9,24 +9,16 @@
 namespace freshet {
 
 VtpPoints::VtpPoints(std::size_t points, double time, std::int64_t step, int dimension)
-    : points_(points),
-      dimension_(dimension),
-      text_(fmt::format("<?xml version=\"1.0\"?>\n"
-                        "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-                        "header_type=\"UInt64\">\n"
-                        "  <PolyData>\n"
-                        "    <FieldData>\n"
-                        "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
-                        "format=\"ascii\">{}</DataArray>\n"
-                        "      <DataArray type=\"Int64\" Name=\"Step\" NumberOfTuples=\"1\" "
-                        "format=\"ascii\">{}</DataArray>\n"
-                        "      <DataArray type=\"Int64\" Name=\"Dimension\" NumberOfTuples=\"1\" "
-                        "format=\"ascii\">{}</DataArray>\n"
-                        "    </FieldData>\n"
-                        "    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" "
-                        "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n"
-                        "      <PointData>\n",
-                        time, step, dimension, points, points)) {}
+    : points_(points), dimension_(dimension), text_(vtp_start(time, step)) {
+  text_ += fmt::format(
+      "      <DataArray type=\"Int64\" Name=\"Dimension\" NumberOfTuples=\"1\" "
+      "format=\"ascii\">{}</DataArray>\n"
+      "    </FieldData>\n"
+      "    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" "
+      "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n"
+      "      <PointData>\n",
+      dimension, points, points);
+}
 
 std::vector<float> VtpPoints::in_space(const std::vector<float>& values) const {
   if (dimension_ == 3) return values;
@@ -65,9 +57,7 @@ std::string VtpPoints::bytes_at(const std::vector<float>& x) && {
   text_ += points_ <= std::size_t(std::numeric_limits<std::int32_t>::max())
                ? verts<std::int32_t>("Int32")
                : verts<std::int64_t>("Int64");
-  text_ += "    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_";
-  text_.reserve(text_.size() + arrays_.bytes.size() + 40);
-  return std::move(text_) + arrays_.bytes + "\n  </AppendedData>\n</VTKFile>\n";
+  return vtp_file(std::move(text_), arrays_);
 }
 
 }  // namespace freshet
