@@ -177,7 +177,7 @@ void info(const SceneArguments& a) {
   row("lattice errors",
       fmt::format("density {:+.1f} %{}, pressure gradient {:+.1f} %", 100 * d.density_error,
                   s.particles.mass ? "" : " (divided out)", 100 * d.gradient_error));
-  row("mass", fmt::format("{:.6g} {}{}", d.mass, units.mass, s.particles.mass ? " (given)" : ""));
+  row("mass", fmt::format("{:.6g} {}{}", d.mass, units.mass, s.particles.mass ? " (set)" : ""));
   row("density at rest", fmt::format("{:.6g} {} where the lattice is whole; rest density {:g} {}",
                                      d.mass / std::pow(d.spacing, s.dimension()) *
                                          (1 + d.density_error) / d.lattice_sum,

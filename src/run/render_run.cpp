@@ -94,11 +94,11 @@ class Film {
 RenderReport render(const RenderOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const int threads = thread_count(options.threads);
-  const Scene scene = scene_of_run(
-      options.run, options.overrides,
-      {{"picture", "camera"},
-       "the run is over: only keys of [picture] and [camera] can change now; run the scene again "
-       "for others"});
+  const Scene scene =
+      scene_of_run(options.run, options.overrides,
+                   {{"picture", "camera"},
+                    "the run is over: only keys of [picture] and [camera] can change now, such as "
+                    "picture.color_by; run the scene again for others"});
   const FinishedRun run(options.run, scene, "draw");
   const ResultFolder pictures = picture_folder(options, run.files());
   if (options.video) check_video(options.video->file, options.video->fps, options.overwrite);

@@ -193,6 +193,7 @@ TEST_F(Render, VideoIsAsLongAsTheRun) {
   if (run_process({"ffprobe", "-version"}).code != 0) GTEST_SKIP() << "ffmpeg is not installed";
   const auto r = render({"--video", film, "--fps", "50"});
   EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_TRUE(contains(r.out, "\nwrote " + film + "\n")) << r.out;
   const auto frames = run_process({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
                                    "stream=nb_read_frames", "-of", "csv=p=0", film});
   EXPECT_EQ(frames.out.substr(0, 2), "11");  // 0.2 s at 50 frames/s, and the last frame
