@@ -45,7 +45,7 @@ std::string only_with_part(std::string_view typed,
 
 std::string nearest(std::string_view typed, const std::set<std::string, std::less<>>& words) {
   std::string best;
-  if (typed.size() > 100) return best;
+  if (typed.empty() || typed.size() > 100) return best;
   std::size_t least = std::max<std::size_t>(1, typed.size() / 3) + 1;
   for (const std::string& word : words) {
     const std::size_t shorter = std::min(typed.size(), word.size());
