@@ -81,9 +81,11 @@ class Table {
                const char* unit = "") {
     const CheckResult* c = check(name == "bright pixels" ? "bright fraction" : name);
     row(name, value,
-        c ? fmt::format("{} {:g}{}  {}", c->relation, scale * c->bound, unit,
-                        c->passed ? "ok" : "FAILED")
-          : "");
+        c ? fmt::format("{} {:g}{}  {}", c->relation, scale * c->bound, unit, verdict(*c)) : "");
+  }
+  /// A check is a condition at the end of a run, which an interrupted one has not reached.
+  const char* verdict(const CheckResult& c) const {
+    return r_.state == Report::State::interrupted ? "at the end" : c.passed ? "ok" : "FAILED";
   }
   /// Rows of the article's scene and of checks appear there only.
   bool wants(const std::string& name) const { return s_.is_article() || has_check(name); }

@@ -110,9 +110,9 @@ std::string particles_row(const Derived& d) {
   if (d.outside > 0) text += fmt::format(", {} of them outside the domain", d.outside);
   if (d.wall_particles > 0) text += fmt::format("; {} of walls", d.wall_particles);
   if (d.most_particles > d.particles)
-    text += fmt::format("; {:.0f} at the most, with what comes in", d.most_particles);
+    text += fmt::format("; at most {:.0f}, with those of inlets", d.most_particles);
   if (d.left_out > 0)
-    text += fmt::format("; {} places left out, which walls{} take", d.left_out,
+    text += fmt::format("; {} places inside walls{} excluded", d.left_out,
                         d.inlets.empty() ? "" : " and inlets");
   return text;
 }
@@ -177,7 +177,7 @@ void info(const SceneArguments& a) {
   row("lattice errors",
       fmt::format("density {:+.1f} %{}, pressure gradient {:+.1f} %", 100 * d.density_error,
                   s.particles.mass ? "" : " (divided out)", 100 * d.gradient_error));
-  row("mass", fmt::format("{:.6g} {}{}", d.mass, units.mass, s.particles.mass ? " (given)" : ""));
+  row("mass", fmt::format("{:.6g} {}{}", d.mass, units.mass, s.particles.mass ? " (set)" : ""));
   row("density at rest", fmt::format("{:.6g} {} where the lattice is whole; rest density {:g} {}",
                                      d.mass / std::pow(d.spacing, s.dimension()) *
                                          (1 + d.density_error) / d.lattice_sum,
@@ -195,7 +195,7 @@ void info(const SceneArguments& a) {
   else row("computed by", "one thread, scalar (reference)");
   row("run time", fmt::format("about {} on this machine ({:.3g} ms a step, measured{})",
                               duration(likely_seconds(d, cost, steps)), 1e3 * cost.seconds_per_step,
-                              d.inlets.empty() ? "" : "; more with what comes in"));
+                              d.inlets.empty() ? "" : "; more with inlets"));
   row("memory", fmt::format("{}B", short_number(peak_memory())));
   row("disk", disk_row(d) + fmt::format("; {}B for two checkpoints",
                                         short_number(2 * cost.checkpoint_bytes)));

@@ -77,7 +77,11 @@ std::vector<std::pair<fs::path, std::string>> copies(const fs::path& scene, cons
   for (const auto& [path, text] : all) {
     if (!fs::exists(fs::symlink_status(path))) continue;
     if (path != file && fs::is_regular_file(path) && read(path) == text) continue;
-    throw Error(Error::Kind::scene, path.string(), "exists already; choose another FILE");
+    throw Error(Error::Kind::scene, path.string(),
+                fs::is_directory(path)
+                    ? fmt::format("exists already and is a folder; name a file, such as {}",
+                                  (path / scene.filename()).string())
+                    : "exists already; choose another FILE");
   }
   return all;
 }

@@ -40,9 +40,10 @@ int render_run(const RenderArguments& a) {
   const RenderReport r = render(options);
   if (bar) put("\r");
   if (!a.quiet)
-    print_out("{}{} pictures in {}\nwrote {}\n", r.interrupted ? "interrupted after " : "",
+    print_out("{}{} pictures in {}\nwrote {}\n{}", r.interrupted ? "interrupted after " : "",
               r.pictures.size(), duration(r.seconds),
-              r.pictures.empty() ? "" : r.pictures.back().string());
+              r.pictures.empty() ? "" : r.pictures.back().string(),
+              a.video.empty() ? "" : "wrote " + a.video + "\n");
   return r.interrupted ? interrupted : done;
 }
 
@@ -59,8 +60,7 @@ void add_render(Program& program) {
   render.option("--threads", a->threads, "threads (default: all)").at_least(1);
   render.flag("--quiet", a->quiet, "print nothing but errors");
   render
-      .option("--video", a->video,
-              "make a video: FILE.gif, FILE.webp, or FILE.mp4 (needs ffmpeg)")
+      .option("--video", a->video, "make a video: FILE.gif, FILE.webp, or FILE.mp4 (needs ffmpeg)")
       .value("FILE");
   render.option("--fps", a->fps, "pictures per second of the video (default: 30)")
       .range(0.001, 1e6);

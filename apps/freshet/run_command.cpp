@@ -67,10 +67,14 @@ std::string shell_command(const std::string& program, const std::string& verb,
 /// Where a run writes, and what resumes it.
 struct Place {
   std::filesystem::path output;
+  std::string video;  // empty without --video
   std::string resume;
 
-  Place(std::filesystem::path folder, const std::vector<std::string>& command_line)
-      : output(std::move(folder)), resume(shell_command(command_line.front(), "resume", output)) {}
+  Place(std::filesystem::path folder, std::string film,
+        const std::vector<std::string>& command_line)
+      : output(std::move(folder)),
+        video(std::move(film)),
+        resume(shell_command(command_line.front(), "resume", output)) {}
 };
 
 std::string end_event(const Report& r, const Place& place) {
@@ -97,9 +101,10 @@ int finish(const Report& r, const std::string& table, const Place& place,
   const bool cut = r.state == Report::State::interrupted;
   progress.say(fmt::format(
       "{}{} steps, {:.4g} s simulated in {}: {} particle-steps/s\n{}"
-      "wrote {}{}",
+      "wrote {}{}{}",
       cut ? "interrupted after " : "", r.steps, r.time, duration(r.seconds),
       short_number(r.particle_steps_per_second()), table, (place.output / "result.png").string(),
+      place.video.empty() ? "" : "\nwrote " + place.video,
       cut ? "\nto resume: " + place.resume : ""));
   progress.event(end_event(r, place));
   for (const CheckResult& c : r.checks)
@@ -108,8 +113,8 @@ int finish(const Report& r, const std::string& table, const Place& place,
                   c.relation, c.bound);
   for (const Warning& w : r.warnings)
     if (r.state == Report::State::cannot_be_right && w.cannot_be_right)
-      print_error("error: the run cannot be right: {} (seen in {} looks, last at step {})\n",
-                  w.message, w.looks, w.last_step);
+      print_error("error: the run cannot be right: {} (in {} health check{}, last at step {})\n",
+                  w.message, w.looks, w.looks == 1 ? "" : "s", w.last_step);
   return cut ? interrupted : r.state == Report::State::done ? done : failed;
 }
 
@@ -182,7 +187,7 @@ int run_scene(const RunArguments& a, const std::vector<std::string>& command_lin
   if (a.output.empty()) choose_output(options, outcome.progress);
   options.after_step = outcome.after_step();
   warn(scene_warnings(scene), outcome.progress);
-  return outcome.of([&] { return run(scene, options); }, {options.output, command_line});
+  return outcome.of([&] { return run(scene, options); }, {options.output, a.video, command_line});
 }
 
 struct ResumeArguments {
@@ -201,7 +206,7 @@ int resume_run(const ResumeArguments& a, const std::vector<std::string>& command
   Outcome outcome{Progress(Progress::choose(a.quiet, a.log == "json"))};
   options.warn = [&](const auto& warnings) { warn(warnings, outcome.progress); };
   options.after_step = outcome.after_step();
-  return outcome.of([&] { return resume(options); }, {options.folder, command_line});
+  return outcome.of([&] { return resume(options); }, {options.folder, a.video, command_line});
 }
 
 void add_log_options(const Command& command, bool& quiet, std::string& log) {

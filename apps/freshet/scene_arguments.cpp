@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -94,6 +93,21 @@ std::vector<std::pair<std::string, fs::path>> scenes_that_come_along() {
   return all;
 }
 
+namespace {
+
+/// The scene files in the folder of the file `name`, with that folder before their names.
+std::set<std::string, std::less<>> scene_files_beside(const fs::path& name) {
+  std::set<std::string, std::less<>> files;
+  const fs::path folder = name.has_parent_path() ? name.parent_path() : fs::path(".");
+  std::error_code ec;
+  for (fs::directory_iterator entry(folder, ec), end; !ec && entry != end; entry.increment(ec))
+    if (entry->path().extension() == ".toml")
+      files.insert((name.parent_path() / entry->path().filename()).string());
+  return files;
+}
+
+}  // namespace
+
 fs::path find_scene(const std::string& name) {
   std::error_code ec;
   if (fs::is_regular_file(name, ec)) return name;
@@ -103,15 +117,19 @@ fs::path find_scene(const std::string& name) {
     known.insert(scene);
   }
   if (fs::exists(name, ec)) return name;  // a folder, for example: loading it reports the error
-  const std::string guess = nearest(name, known);
+  if (known.empty())
+    throw Error(
+        Error::Kind::scene, name,
+        "no such file, and this program finds no bundled scenes; check the path, or install "
+        "the program with its scenes (cmake --install)");
+  const std::set<std::string, std::less<>> files = scene_files_beside(name);
+  const std::string guess = nearest(name, known), file = nearest(name, files);
   throw Error(Error::Kind::scene, name,
-              guess.empty()
-                  ? fmt::format("no such file, and no bundled scene of that name ({}); "
-                                "check the path",
-                                fmt::join(known, ", "))
-                  : fmt::format("no such file, and no bundled scene of that name; did you "
-                                "mean {}? `freshet scenes` lists them",
-                                guess));
+              fmt::format("no such file, and no bundled scene of that name; {}",
+                          !file.empty() ? fmt::format("did you mean {}?", file)
+                          : !guess.empty()
+                              ? fmt::format("did you mean {}? `freshet scenes` lists them", guess)
+                              : "check the path; `freshet scenes` lists the bundled scenes"));
 }
 
 namespace {

@@ -35,9 +35,9 @@ struct RenderReport {
 /// the next one. A picture has the number of its data file. Bodies are drawn from bodies.csv.
 ///
 /// Throws Error (kind scene) if the folder holds no run or no data, an override is neither of
-/// picture nor of camera, a picture exists (unless `overwrite`), a data file is damaged, or
-/// bodies.csv is missing, damaged or without the step of a data file. Throws Error (kind run) if a
-/// file cannot be written.
+/// picture nor of camera, a picture exists (unless `overwrite`), a data file is damaged or lacks
+/// the field of picture.color_by, or bodies.csv is missing, damaged or without the step of a data
+/// file. Throws Error (kind run) if a file cannot be written.
 RenderReport render(const RenderOptions& options);
 
 }  // namespace freshet

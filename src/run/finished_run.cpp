@@ -42,7 +42,7 @@ FinishedRun::FinishedRun(const fs::path& folder, const Scene& scene, const char*
     throw Error(
         Error::Kind::scene, folder.string(),
         fmt::format("this run wrote no data to {} (its folder has no data/); run its scene again "
-                    "with data files switched on",
+                    "with output.data = [\"vtp\"]",
                     use));
   if (scene.body.empty()) return;
   std::error_code ec;

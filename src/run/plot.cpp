@@ -178,8 +178,19 @@ std::vector<Panel> usual_panels(const std::vector<Run>& runs) {
   return panels;
 }
 
+/// The columns that the user may have meant: those of the probe or body that is named, or all.
+std::set<std::string, std::less<>> columns_to_offer(const std::string& typed, const Run& run) {
+  const auto all = run.tables.names();
+  const std::size_t colon = typed.find(": ");
+  if (colon == std::string::npos) return all;
+  std::set<std::string, std::less<>> own;
+  for (const std::string& name : all)
+    if (name.starts_with(typed.substr(0, colon + 2))) own.insert(name);
+  return own.empty() ? all : own;
+}
+
 [[noreturn]] void refuse_column(const std::string& typed, const Run& run) {
-  const auto names = run.tables.names();
+  const auto names = columns_to_offer(typed, run);
   const std::string near = nearest(typed, names);
   refuse("option columns",
          fmt::format("no column \"{}\" of numbers over time in the tables of {}; {}there are {}",

@@ -49,17 +49,16 @@ Table read_observables(const fs::path& folder) {
   const fs::path file = folder / "observables.csv";
   std::error_code ec;
   if (!fs::is_directory(folder, ec))
-    reject_run(folder.string(), "no such folder; give the folder of a run, as in runs/article");
+    reject_run(folder.string(), "no such folder; name the folder of a run, such as runs/article");
   if (!fs::is_regular_file(file, ec))
     reject_run(folder.string(),
-               "no observables.csv in this folder; give the folder of a run whose first frame is "
-               "written");
+               "no observables.csv in this folder; name the folder of a run that has written its "
+               "first frame");
   Table table = read_table(file);
   const Column* time = table.find("time");
   if (!time || time->of_words())
-    reject_run(
-        file.string() + ":1",
-        "no column \"time [s]\", so this was not written by a run; give the folder of a run");
+    reject_run(file.string() + ":1",
+               "no column \"time [s]\", so no run wrote this table; name the folder of a run");
   if (table.rows == 0)
     reject_run(file.string(), "no row yet; wait until the run has written its first frame");
   return table;

@@ -33,6 +33,35 @@ ResultFolder picture_folder(const RenderOptions& options, const std::vector<Fram
   return folder;
 }
 
+/// Throws if a data file lacks the field that picture.color_by shows: it would read as 0.
+void check_color_field(const Scene& scene, const DataFields& stored, const fs::path& file) {
+  const auto require = [&](const char* field, bool has) {
+    if (!has)
+      throw Error(Error::Kind::scene, file.string(),
+                  fmt::format("this data file has no {0}, which picture.color_by needs; choose "
+                              "another, such as \"height\", or add \"{0}\" to output.fields and "
+                              "run the scene again",
+                              field));
+  };
+  switch (scene.picture.color_by) {
+    case ColorBy::speed:
+    case ColorBy::velocity_x:
+    case ColorBy::velocity_y:
+    case ColorBy::velocity_z:
+      return require("velocity", stored.velocity);
+    case ColorBy::density:
+    case ColorBy::density_error:
+      return require("density", stored.density);
+    case ColorBy::pressure:
+      return require("pressure", stored.pressure);
+    case ColorBy::id:
+      return require("id", stored.id);
+    case ColorBy::height:
+    case ColorBy::liquid:
+      return;
+  }
+}
+
 /// The colour ranges of the frames of a run, by percentiles.csv. Runs of older versions have none:
 /// the frames themselves then count in their order.
 class FrameRanges {
@@ -94,11 +123,11 @@ class Film {
 RenderReport render(const RenderOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const int threads = thread_count(options.threads);
-  const Scene scene = scene_of_run(
-      options.run, options.overrides,
-      {{"picture", "camera"},
-       "the run is over: only keys of [picture] and [camera] can change now; run the scene again "
-       "for others"});
+  const Scene scene =
+      scene_of_run(options.run, options.overrides,
+                   {{"picture", "camera"},
+                    "the run is over: only keys of [picture] and [camera] can change now, such as "
+                    "picture.color_by; run the scene again for others"});
   const FinishedRun run(options.run, scene, "draw");
   const ResultFolder pictures = picture_folder(options, run.files());
   if (options.video) check_video(options.video->file, options.video->fps, options.overwrite);
@@ -111,7 +140,9 @@ RenderReport render(const RenderOptions& options) {
   if (options.video) film.emplace(picture_layout(scene), *options.video);
   RenderReport report;
   for (const FrameFile& file : run.files()) {
-    const Frame frame = run.read(file);
+    DataFields stored;
+    const Frame frame = run.read(file, &stored);
+    check_color_field(scene, stored, file.path);
     const Image image = draw(scene, frame, ranges.of(frame), threads);
     report.pictures.push_back(pictures.write(picture_name(file), encode_png(image)));
     if (film) film->add(image, frame.time);

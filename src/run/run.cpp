@@ -127,8 +127,8 @@ RunCheckpoint newest_checkpoint(const ResumeOptions& options) {
   if (!wrong.empty()) throw Error(Error::Kind::run, std::move(wrong));
   const bool is_run = fs::exists(options.folder / "manifest.json");
   throw Error(Error::Kind::scene, options.folder.string(),
-              is_run ? "this run has left no checkpoint to go on from; run its scene.toml again, "
-                       "and see output.checkpoint_every"
+              is_run ? "this run has left no checkpoint to resume from; run its scene.toml again, "
+                       "and set output.checkpoint_every"
                      : "this folder holds no run; name the folder of one");
 }
 
@@ -138,8 +138,9 @@ void check_end(const Simulation& sim, const ResumeOptions& options) {
   for (const auto& [key, value] : options.overrides)
     if (key == "time.end" &&
         sim.scene().time.end <= sim.time() - sim.time_steps().last * (1 - 1e-6))
-      throw Error(Error::Kind::scene, "override time.end",
-                  fmt::format("time.end must be later than {:g} s, where the run is", sim.time()));
+      throw Error(
+          Error::Kind::scene, "override time.end",
+          fmt::format("time.end must be later than {:g} s, which the run has reached", sim.time()));
 }
 
 /// The run's own video is replaced, another file is not.
@@ -147,7 +148,7 @@ void check_resumed_video(const Scene& scene, const ResumeOptions& options, RunRe
   const bool moves = !options.video.empty();
   if (moves && !record.video)
     throw Error(Error::Kind::scene, "option video " + options.video.string(),
-                "this run makes no video; leave out the option, or run the scene again with it");
+                "this run makes no video; remove the option, or run the scene again with it");
   if (moves) record.video->file = fs::absolute(options.video);
   if (!record.video) return;
   try {
@@ -173,9 +174,9 @@ Report resume(const ResumeOptions& options) {
   for (const Override& change : options.overrides)
     if (steps_depend_on(change.first) && steps_depend_on(change.first + "."))
       throw Error(Error::Kind::scene, place_of(change),
-                  "this changes what has been simulated; a run that goes on takes time.end and "
-                  "the keys of output, picture, camera and checks; for another simulation, run "
-                  "its scene.toml");
+                  "this changes what has been simulated; a resumed run can change time.end and the "
+                  "keys of output, picture, camera and checks; for another simulation, run its "
+                  "scene.toml with this change");
   std::error_code ec;
   if (!fs::is_directory(options.folder, ec))
     throw Error(Error::Kind::scene, options.folder.string(),

@@ -44,7 +44,7 @@ std::vector<FrameFile> chosen_frames(const SurfaceOptions& options) {
   if (all.empty())
     throw Error(Error::Kind::scene, options.run.string(),
                 "this run wrote no data to make surfaces of (its folder has no data/); run its "
-                "scene again with data files switched on");
+                "scene again with output.data = [\"vtp\"]");
   const std::int64_t to = options.to.value_or(std::numeric_limits<std::int64_t>::max());
   std::vector<FrameFile> chosen;
   for (const FrameFile& frame : all)
@@ -53,8 +53,8 @@ std::vector<FrameFile> chosen_frames(const SurfaceOptions& options) {
       chosen.push_back(frame);
   if (chosen.empty())
     throw Error(Error::Kind::scene, all.front().path.parent_path().string(),
-                fmt::format("no data file has a number that is chosen; they have numbers from "
-                            "{:04} to {:04}, change `from`, `to` or `every`",
+                fmt::format("the options choose no data file; the numbers of the data files are "
+                            "{} to {}; change `from`, `to` or `every`",
                             all.front().number, all.back().number),
                 {"from", "to", "every"});
   return chosen;

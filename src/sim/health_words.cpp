@@ -48,10 +48,10 @@ double Health::times_reference(double speed) const {
 /// What to do where no cause is known.
 std::string Health::came_too_close() const {
   constexpr std::int64_t start = 10;  // so many steps belong to it
-  return fmt::format("particles came too close; {}, or make {} smaller",
-                     moment_.step <= start ? "look at the start of the scene"
-                                           : "look at what moves or meets there",
-                     step_key(scene_));
+  return fmt::format(
+      "particles came too close; {}, or make {} smaller",
+      moment_.step <= start ? "check the start of the scene" : "check what moves or meets there",
+      step_key(scene_));
 }
 
 /// What came of a solve: of the last, or of the worst so far if that one went well.

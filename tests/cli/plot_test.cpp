@@ -131,6 +131,7 @@ TEST(Plot, FindsColumnsInEveryTable) {
   const std::string error = error_of({"plot", run, "--columns", "gauge: distence"}, 2);
   EXPECT_TRUE(contains(error, "did you mean gauge: distance?")) << error;
   EXPECT_FALSE(contains(error, "line: pressure")) << error;  // a line has no column over time
+  EXPECT_FALSE(contains(error, "box: y")) << error;          // a column of the body
 }
 
 TEST(Plot, DrawsRunsOfOlderVersionsIn2DWithTheUnitsOfNewOnes) {
@@ -248,12 +249,14 @@ TEST(Plot, IgnoresAnIncompleteLastRow) {
 TEST(Plot, RejectsAFolderWithoutARun) {
   const TemporaryFolder folder;
   const std::string here = folder.path().string();
-  EXPECT_EQ(error_of({"plot", here + "/none"}, 2),
-            here + "/none: error: no such folder; give the folder of a run, as in runs/article\n");
-  EXPECT_EQ(error_of({"plot", here}, 2),
-            here +
-                ": error: no observables.csv in this folder; give the folder of a run whose "
-                "first frame is written\n");
+  EXPECT_EQ(
+      error_of({"plot", here + "/none"}, 2),
+      here + "/none: error: no such folder; name the folder of a run, such as runs/article\n");
+  EXPECT_EQ(
+      error_of({"plot", here}, 2),
+      here +
+          ": error: no observables.csv in this folder; name the folder of a run that has written "
+          "its first frame\n");
   const std::string file = here + "/observables.csv";
   write_text(file, "step,time [s]\n");
   EXPECT_EQ(error_of({"plot", here}, 2),
@@ -261,7 +264,7 @@ TEST(Plot, RejectsAFolderWithoutARun) {
   write_text(file, "a,b\n1,2\n");
   EXPECT_EQ(error_of({"plot", here}, 2),
             file +
-                ":1: error: no column \"time [s]\", so this was not written by a run; give the "
+                ":1: error: no column \"time [s]\", so no run wrote this table; name the "
                 "folder of a run\n");
   write_text(file, "time [s],a\n1,2\n");
   EXPECT_EQ(error_of({"plot", here}, 2),

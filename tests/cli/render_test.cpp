@@ -69,6 +69,21 @@ TEST_F(Render, RejectsOtherAndInvalidSettings) {
   EXPECT_FALSE(fs::exists(run / "pictures"));
 }
 
+TEST_F(Render, RejectsAColorWhoseFieldIsMissing) {
+  Frame frame;
+  frame.id = {0, 1};
+  frame.x = {0.9f, 0.5f, 1.1f, 0.5f};
+  DataFields fields;
+  fields.velocity = fields.density = fields.pressure = false;
+  for (int k = 0; k < 3; ++k)
+    write_text(run / data_file(DataFormat::vtp, k), encode_vtp(frame, fields));
+  expect_refused(render({"--set", "picture.color_by=pressure"}),
+                 (run / data_file(DataFormat::vtp, 0)).string() +
+                     ": error: this data file has no pressure, which picture.color_by needs");
+  expect_refused(render(), "this data file has no velocity");
+  EXPECT_EQ(render({"--set", "picture.color_by=height"}).code, 0);
+}
+
 TEST_F(Render, ReplacesPicturesOnlyWithOverwrite) {
   EXPECT_EQ(render().code, 0);
   expect_refused(render(), "--overwrite replaces them");
@@ -193,6 +208,7 @@ TEST_F(Render, VideoIsAsLongAsTheRun) {
   if (run_process({"ffprobe", "-version"}).code != 0) GTEST_SKIP() << "ffmpeg is not installed";
   const auto r = render({"--video", film, "--fps", "50"});
   EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_TRUE(contains(r.out, "\nwrote " + film + "\n")) << r.out;
   const auto frames = run_process({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
                                    "stream=nb_read_frames", "-of", "csv=p=0", film});
   EXPECT_EQ(frames.out.substr(0, 2), "11");  // 0.2 s at 50 frames/s, and the last frame

@@ -86,8 +86,8 @@ TEST_F(Resume, RejectsAnEndBeforeTheMomentOfTheRun) {
       const auto r = resume("run", {"--set", std::string("time.end=") + end});
       EXPECT_EQ(r.code, 2) << r.out;
       EXPECT_TRUE(contains(r.err,
-                           "--set time.end: error: time.end must be later than 0.1 s, where the "
-                           "run is"))
+                           "--set time.end: error: time.end must be later than 0.1 s, which the "
+                           "run has reached"))
           << r.err;
     }
     EXPECT_EQ(before, read_text(folder / "run/scene.toml"));

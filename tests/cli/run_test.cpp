@@ -144,10 +144,12 @@ TEST(Run, FailsIfACheckFails) {
 TEST(Run, IsCompleteWhenInterrupted) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const TemporaryFolder folder;
-    const auto r =
-        freshet(long_run(folder.path()), {.signal = signal, .signal_after = "particles"});
+    const auto r = freshet(long_run(folder.path(), {"--set", "checks.speed_mean_max=1e-9"}),
+                           {.signal = signal, .signal_after = "particles"});
     EXPECT_EQ(r.code, 130) << r.err << r.ended_by;
     EXPECT_TRUE(contains(r.out, "interrupted after")) << r.out;
+    EXPECT_TRUE(contains(r.out, "< 1e-09  at the end")) << r.out;
+    EXPECT_FALSE(contains(r.out, "FAILED")) << r.out;
     EXPECT_FALSE(contains(r.err, "check failed")) << r.err;
     expect_whole_run(folder.path());
     const Json report = report_of(folder.path());

@@ -66,6 +66,9 @@ TEST(Suggest, FindsTheNearestWordOrNone) {
   EXPECT_EQ("stiffness", nearest("stifness", {"stiffness", "scheme"}));
   EXPECT_EQ("end", nearest("edn", {"end", "step"}));
   EXPECT_EQ("", nearest("volume", {"spacing", "seed", "mass"}));
+  EXPECT_EQ("rest_density", nearest("density", {"rest_density", "viscosity"}));
+  EXPECT_EQ("", nearest("density", {"rest_density", "density_diffusion"}));
+  EXPECT_EQ("", nearest("dens", {"rest_density", "viscosity"}));
 }
 
 }  // namespace

@@ -208,7 +208,8 @@ void check_room(const Scene& s, const FluidCount& fluids, Findings& out) {
   for (const auto& [j, k] : overlapping_fluids(s, fluids.good))
     out.error(fmt::format("fluid[{}].{}", k, key_of_end(s.fluid[k], true)),
               fmt::format("fluid[{}] overlaps fluid[{}]: their particles would be less than "
-                          "half a spacing apart; move one of them",
+                          "half a spacing apart; move one of them, or make the sides where they "
+                          "touch whole numbers of spacings",
                           k, j));
 }
 

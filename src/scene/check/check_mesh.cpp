@@ -10,12 +10,12 @@
 namespace freshet {
 namespace {
 
-/// The remedy for a mesh outside the domain: a translation, or a power of ten as the scale that
-/// makes it about as large as the domain.
+/// The remedy for a mesh of the wrong size or place: a power of ten as the scale that makes it
+/// about as large as the domain, or `otherwise` if its size is right.
 std::string scale_remedy(const Scene::Region& r, const std::string& name, double size,
-                         double domain) {
+                         double domain, const std::string& otherwise) {
   const double off = std::log10(size / domain);
-  if (std::abs(off) < 1.2) return fmt::format("move it with {}.translation", name);
+  if (std::abs(off) < 1.2) return otherwise;
   const double scale = r.scale * std::pow(10, -std::round(off));
   const char* unit = std::round(off) == 3   ? " (is the file in millimetres?)"
                      : std::round(off) == 2 ? " (is the file in centimetres?)"
@@ -40,16 +40,19 @@ bool check_place(const Scene& s, const RegionAt& at, const MeshDistance& mesh, F
         at.name, at.region.file, low.x, low.y, low.z, high.x, high.y, high.z);
   };
   if (!meets)
-    out.error(at.path + "file", fmt::format("{}, which misses the domain; {}", reaches(),
-                                            scale_remedy(at.region, at.name, size, domain)));
+    out.error(at.path + "file",
+              fmt::format("{}, which misses the domain; {}", reaches(),
+                          scale_remedy(at.region, at.name, size, domain,
+                                       fmt::format("move it with {}.translation", at.name))));
   else if (size > 100 * domain)
     out.error(at.path + "file",
               fmt::format("{}, {:.0f} times as large as the domain; {}", reaches(), size / domain,
-                          scale_remedy(at.region, at.name, size, domain)));
+                          scale_remedy(at.region, at.name, size, domain, "make it smaller")));
   else if (size < s.particles.spacing)
     out.error(at.path + "file",
               fmt::format("{}, smaller than a spacing of {}; {}", reaches(), s.particles.spacing,
-                          scale_remedy(at.region, at.name, size, domain)));
+                          scale_remedy(at.region, at.name, size, domain,
+                                       "make particles.spacing smaller")));
   else return true;
   return false;
 }

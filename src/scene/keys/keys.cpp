@@ -139,7 +139,8 @@ void wall_keys(KeyVisitor& v, Scene::Wall& w) {
            {.unit = "",
             .text = "method of the wall, see [walls]; `ghost` only for a plane and the inside of a "
                     "box; points only with `monaghan2009`, `akinci2012` or `adami2012`",
-            .fallback = "as for walls.method; `akinci2012` in place of `adami2012` for points "
+            .fallback = "the solver's default of walls.method, not its value; `akinci2012` in "
+                        "place of `adami2012` for points "
                         "and for meshes with holes"});
   wall_surface_keys(v, w.slip, w.restitution);
   v.vector("velocity", w.velocity,

@@ -28,11 +28,24 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return all.back();
 }
 
+/// The only word that begins or ends with `typed` as a part between underscores, else "".
+std::string only_with_part(std::string_view typed,
+                           const std::set<std::string, std::less<>>& words) {
+  const std::string first = std::string(typed) + "_", last = "_" + std::string(typed);
+  std::string found;
+  for (const std::string& word : words) {
+    if (!word.starts_with(first) && !word.ends_with(last)) continue;
+    if (!found.empty()) return "";
+    found = word;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string nearest(std::string_view typed, const std::set<std::string, std::less<>>& words) {
   std::string best;
-  if (typed.size() > 100) return best;
+  if (typed.empty() || typed.size() > 100) return best;
   std::size_t least = std::max<std::size_t>(1, typed.size() / 3) + 1;
   for (const std::string& word : words) {
     const std::size_t shorter = std::min(typed.size(), word.size());
@@ -40,7 +53,7 @@ std::string nearest(std::string_view typed, const std::set<std::string, std::les
       continue;  // their lengths differ too much
     if (const std::size_t d = distance(typed, word); d < least) least = d, best = word;
   }
-  return best;
+  return best.empty() ? only_with_part(typed, words) : best;
 }
 
 }  // namespace freshet
