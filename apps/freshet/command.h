@@ -30,6 +30,8 @@ struct ChangeArguments : KeyArguments {
   Execution execution() const { return {threads, isa}; }
 };
 
+std::vector<std::string> solver_names();
+
 /// The scene of a command with what is changed in it.
 struct SceneArguments : ChangeArguments {
   std::string name, backend, solver;

@@ -53,14 +53,18 @@ void ChangeArguments::add_to(const Command& command) {
       .one_of({"plain", "sse42", "avx2", "avx512"});
 }
 
+std::vector<std::string> solver_names() {
+  std::vector<std::string> names;
+  for (const SolverMethod* m : solver_methods()) names.emplace_back(m->name);
+  return names;
+}
+
 void SceneArguments::add_to(const Command& command) {
   command.option("SCENE", name, "a scene file, or the name of a bundled scene").required();
-  std::vector<std::string> solvers;
-  for (const SolverMethod* m : solver_methods()) solvers.emplace_back(m->name);
   command
       .option("--solver", solver,
               "another solver than the scene's; keys that it does not use are dropped")
-      .one_of(solvers);
+      .one_of(solver_names());
   command.option("--backend", backend, "the backend that computes").one_of({"cpu", "reference"});
   ChangeArguments::add_to(command);
 }

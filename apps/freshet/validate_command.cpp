@@ -149,7 +149,10 @@ void add_validate(Program& program) {
       program.add("validate", "Compare simulations with experiments and closed forms");
   command.option("CASE", a->cases, "cases to run (none: list them), or folders of them");
   command.flag("--all", a->all, "all cases");
-  command.option("--solver", a->solvers, "these solvers only").value("SOLVER").repeatable();
+  command.option("--solver", a->solvers, "these solvers only")
+      .value("SOLVER")
+      .repeatable()
+      .one_of(solver_names());
   command
       .option("--resolution", a->resolutions,
               "other values of particles.spacing [m], or of the key that the case varies")

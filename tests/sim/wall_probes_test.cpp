@@ -173,6 +173,10 @@ TEST(WallProbe, WarnsIfThereIsNoWall) {
     return scene_warnings(parse_scene(tank({"dfsph", "akinci2012"}, probe), "test.toml"));
   };
   EXPECT_TRUE(warnings("1.0").empty());
+  const auto partly =
+      scene_warnings(parse_scene(tank({"dfsph", "akinci2012"}, stretch(0.4, 1.6)), "test.toml"));
+  ASSERT_EQ(1u, partly.size());
+  EXPECT_NE(std::string::npos, partly[0].message.find("of this probe has no boundary particle"));
   ASSERT_EQ(1u, warnings("0.5").size());
   EXPECT_NE(std::string::npos, warnings("0.5")[0].message.find("no boundary particle"));
 }

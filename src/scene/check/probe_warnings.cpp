@@ -14,25 +14,48 @@
 namespace freshet {
 namespace {
 
-/// Whether a boundary particle is close enough to act on the probe's piece of wall. x: their
-/// positions relative to `origin`.
-template <class R>
-bool reaches(const Scene& s, const Scene::Probe& p, const std::vector<R>& x, const Triple& origin) {
-  const auto n = std::size_t(s.dimension());
-  const double reach = support_radius(s), half_cell = s.particles.spacing / 2;
-  const WallPatch patch = patch_of(p);
-  for (std::size_t i = 0; i < x.size(); i += n) {
-    bool near = true;
-    for (std::size_t k = 0; k < n; ++k) {
-      double along = 0;
-      for (std::size_t d = 0; d < n; ++d)
-        along += (double(x[i + d]) + origin[d] - patch.center[d]) * patch.axes[k][d];
-      near = near && std::abs(along) < patch.half[k] + (patch.half[k] > 0 ? half_cell : reach);
+/// Which parts of a probe's piece of wall have a boundary particle within the support radius. The
+/// parts are about two spacings wide.
+class Cover {
+ public:
+  Cover(const Scene& s, const Scene::Probe& p)
+      : patch_(patch_of(p)), reach_(support_radius(s)), half_cell_(s.particles.spacing / 2) {
+    std::size_t all = 1;
+    for (const double half : patch_.half) {
+      parts_.push_back(std::max<std::size_t>(1, std::size_t(half / s.particles.spacing)));
+      all *= parts_.back();
     }
-    if (near) return true;
+    covered_.resize(all);
   }
-  return false;
-}
+  /// Adds particles at x, relative to `origin`.
+  template <class R> void add(const std::vector<R>& x, const Triple& origin) {
+    const std::size_t n = patch_.center.size();
+    for (std::size_t i = 0; i < x.size(); i += n) {
+      std::size_t part = 0;
+      bool near = true;
+      for (std::size_t k = 0; k < n && near; ++k) {
+        double along = 0;
+        for (std::size_t d = 0; d < n; ++d)
+          along += (double(x[i + d]) + origin[d] - patch_.center[d]) * patch_.axes[k][d];
+        const double half = patch_.half[k];
+        near = std::abs(along) < half + (half > 0 ? half_cell_ : reach_);
+        if (half == 0) continue;
+        const double at = std::clamp((along + half) / (2 * half), 0.0, 1 - 1e-9);
+        part = part * parts_[k] + std::size_t(at * double(parts_[k]));
+      }
+      if (near) covered_[part] = true;
+    }
+  }
+  double share() const {
+    return double(std::count(covered_.begin(), covered_.end(), true)) / double(covered_.size());
+  }
+
+ private:
+  WallPatch patch_;
+  double reach_, half_cell_;
+  std::vector<std::size_t> parts_;
+  std::vector<bool> covered_;
+};
 
 /// Whether all of a probe is beyond a side of the domain that fluid cannot pass. A body may carry a
 /// probe inside.
@@ -109,14 +132,24 @@ std::vector<Diagnostic> probe_warnings(const Scene& s) {
   const Triple origin = origin_of(s);
   for (std::size_t k = 0; k < s.probe.size(); ++k) {
     const Scene::Probe& p = s.probe[k];
-    if (p.kind != ProbeKind::wall || reaches(s, p, all.akinci2012.x, origin) ||
-        reaches(s, p, all.adami2012.x, origin) || reaches(s, p, all.monaghan2009.x, origin) ||
-        reaches(s, p, all.bodies.x, Triple{}))
-      continue;
-    list.push_back({Diagnostic::Severity::warning, place_of(s, fmt::format("probe[{}].from", k)),
-                    fmt::format("no boundary particle is within the support radius, {:.4g} m, of "
-                                "this probe: it will report 0; move it onto a wall",
-                                support_radius(s))});
+    if (p.kind != ProbeKind::wall) continue;
+    Cover cover(s, p);
+    for (const WallSample* walls : {&all.akinci2012, &all.adami2012, &all.monaghan2009})
+      cover.add(walls->x, origin);
+    cover.add(all.bodies.x, Triple{});
+    const double share = cover.share();
+    if (share == 0)
+      list.push_back({Diagnostic::Severity::warning, place_of(s, fmt::format("probe[{}].from", k)),
+                      fmt::format("no boundary particle is within the support radius, {:.4g} m, of "
+                                  "this probe: it will report 0; move it onto a wall",
+                                  support_radius(s))});
+    else if (share < 1)
+      list.push_back(
+          {Diagnostic::Severity::warning, place_of(s, fmt::format("probe[{}].from", k)),
+           fmt::format("about {:.0f} % of this probe has no boundary particle within the "
+                       "support radius, {:.4g} m, and bears nothing: its traction will "
+                       "be too small; move its ends onto the wall",
+                       100 * (1 - share), support_radius(s))});
   }
   return list;
 }

@@ -18,6 +18,8 @@
 namespace freshet {
 namespace {
 
+constexpr double usual_support = 5;  // [spacings]
+
 class Warnings {
  public:
   explicit Warnings(const Scene& scene) : s_(scene), d_(derive(scene)) {}
@@ -61,6 +63,12 @@ class Warnings {
                                 "are better",
                                 spacings, d_.neighbors, 100 * d_.gradient_error,
                                 spacings < 2.5 ? "2.5" : "3"));
+    if (spacings > usual_support && s_.method().has_boundary_particles())
+      warn(support,
+           fmt::format("a support radius of {:.3g} spacings has {:.0f} neighbours, and the "
+                       "run takes long; 2 to 4 spacings are usual; where the spacing "
+                       "changes, the support radius should too",
+                       spacings, d_.neighbors));
   }
   void room() {
     if (d_.outside > 0)
