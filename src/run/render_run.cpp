@@ -71,7 +71,8 @@ class FrameRanges {
     std::error_code ec;
     recorded_ = fs::is_regular_file(file, ec);
     if (recorded_) rows_ = RangesByStep(file, scene);
-    const bool used = scene.picture.color_range.empty() &&
+    const bool used = scene.picture.style != PictureStyle::water &&
+                      scene.picture.color_range.empty() &&
                       scene.picture.color_scale == ColorScale::run &&
                       scene.picture.color_by != ColorBy::liquid;
     if (!recorded_ && used && options.warn)
