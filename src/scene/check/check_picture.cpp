@@ -42,9 +42,9 @@ void check_style(const Scene& s, Findings& out) {
                  "picture.style = \"water\" shows the colours of the liquids; remove it, set "
                  "picture.color_by = \"liquid\", or choose picture.style = \"balls\"");
   if (p.color_bar)
-    out.unused("picture.color_bar", "picture.color_bar",
-               "picture.style = \"water\" shows no values; set it to false, or choose "
-               "picture.style = \"balls\"");
+    out.unsupported("picture.color_bar",
+                    "picture.color_bar is not used; picture.style = \"water\" shows no values; set "
+                    "it to false, or choose picture.style = \"balls\"");
 }
 
 void check_dimension(const Scene& s, Findings& out) {
