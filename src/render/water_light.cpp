@@ -11,7 +11,7 @@ namespace {
 
 constexpr float refractive_index = 1.33f;
 constexpr float least_reflection = 0.02f;  // of water, seen along the normal
-constexpr Light horizon{0.09f, 0.15f, 0.24f}, zenith{0.85f, 1.1f, 1.45f};
+constexpr Light horizon{0.12f, 0.14f, 0.17f}, zenith{0.85f, 1.1f, 1.45f};
 constexpr Light below{0.015f, 0.03f, 0.05f};  // what faces that look down reflect
 constexpr Light sun{9.0f, 8.6f, 7.8f};
 constexpr float glow = 0.35f;
