@@ -43,6 +43,7 @@ void check_color_field(const Scene& scene, const DataFields& stored, const fs::p
                               "run the scene again",
                               field));
   };
+  if (scene.picture.style == PictureStyle::water) return;  // shows liquids
   switch (scene.picture.color_by) {
     case ColorBy::speed:
     case ColorBy::velocity_x:
