@@ -69,8 +69,9 @@ void add_render(Program& program) {
               "simulated seconds per second of the video (default: 1; 0.25 is slow motion)")
       .range(1e-9, 1e9);
   render.footer(
-      "Example:\n  freshet render runs/dam_break_3d --set picture.color_by=pressure --set "
-      "camera.orbit=30 --video film.mp4");
+      "Examples:\n  freshet render runs/dam_break_2d --set picture.color_by=pressure --video "
+      "film.mp4\n"
+      "  freshet render runs/dam_break_3d --set picture.style=balls --set camera.orbit=30");
   render.action([a] { return render_run(*a); });
 }
 

@@ -23,6 +23,7 @@ enum class Outside { error, clamp };
 enum class StartPressure { zero, hydrostatic };
 enum class Axes { none, x, y, xy, z, xz, yz, xyz };  // bit d is axis d
 enum class Dots { glow, solid };
+enum class PictureStyle { balls, water };
 enum class ProbeKind { point, line, plane, surface, wall };
 enum class ColorBy {
   speed,
@@ -245,6 +246,7 @@ struct Scene {
     bool stretch = false;                       // 2D: fills width and height
     std::optional<std::int64_t> dot_radius;  // [px]; 2D
     Dots dots = Dots::solid;                 // 2D
+    PictureStyle style = PictureStyle::balls;  // 3D
     Vector window;                           // x_min, y_min, x_max, y_max; 2D
     ColorBy color_by = ColorBy::speed;
     std::optional<ColorMap> color_map;  // suits color_by

@@ -78,4 +78,22 @@ class Band {
   std::vector<std::uint32_t> what;
 };
 
+/// Computes each pixel of a painted band as the mean of its samples, row by row.
+inline void resolve(const Band& band, Image& image) {
+  constexpr int n = oversampling * oversampling;
+  for (int py = band.top / oversampling; py < (band.top + band.rows) / oversampling; ++py)
+    for (int px = 0; px < image.width; ++px) {
+      int r = n / 2, g = n / 2, b = n / 2;
+      for (int k = 0; k < n; ++k) {
+        const int x = oversampling * px + k % oversampling,
+                  y = oversampling * py + k / oversampling;
+        const Color c = Band::color(band.what[band.at(x, y)]);
+        r += c.r;
+        g += c.g;
+        b += c.b;
+      }
+      image.at(px, py) = {std::uint8_t(r / n), std::uint8_t(g / n), std::uint8_t(b / n)};
+    }
+}
+
 }  // namespace freshet

@@ -27,13 +27,13 @@ constexpr Color coolwarm[] = {{59, 76, 192},   {98, 130, 234},  {141, 176, 254},
                               {184, 208, 249}, {221, 221, 221}, {245, 196, 173},
                               {244, 154, 123}, {222, 96, 77},   {180, 4, 38}};
 
-constexpr Color liquid_colors[] = {{64, 156, 220},  {237, 165, 37},  {92, 184, 92},
+constexpr Color default_liquids[] = {{64, 156, 220},  {237, 165, 37},  {92, 184, 92},
                                    {214, 86, 82},   {150, 110, 200}, {60, 190, 180},
                                    {235, 130, 180}, {170, 170, 170}};
 
 Color liquid_color(const std::string& given, std::size_t k) {
   if (const auto c = background_color(given)) return {(*c)[0], (*c)[1], (*c)[2]};
-  return liquid_colors[k % std::size(liquid_colors)];
+  return default_liquids[k % std::size(default_liquids)];
 }
 
 Color between(std::span<const Color> colors, float t) {
@@ -104,6 +104,14 @@ Color ground_color(const Scene& scene) {
 
 bool is_light(Color c) { return int(c.r) + c.g + c.b > 3 * 127; }
 
+std::vector<Color> liquid_colors(const Scene& scene) {
+  const auto liquids = scene.liquids();
+  std::vector<Color> colors;
+  for (std::size_t k = 0; k < liquids.size(); ++k)
+    colors.push_back(liquid_color(liquids[k].color, k));
+  return colors;
+}
+
 Coloring color_particles(const Scene& s, const Frame& frame, const ColorRanges& ranges) {
   const ColorBy quantity = s.picture.color_by;
   Coloring c{s.picture.color_map.value_or(default_map(quantity)),
@@ -117,11 +125,9 @@ Coloring color_particles(const Scene& s, const Frame& frame, const ColorRanges& 
   for (std::size_t i = 0; i < frame.size(); ++i)
     c.values.push_back(quantity_value(quantity, rest_density, frame, i));
   if (quantity == ColorBy::liquid) {
-    const auto liquids = s.liquids();
-    for (std::size_t k = 0; k < liquids.size(); ++k)
-      c.liquids.push_back(liquid_color(liquids[k].color, k));
+    c.liquids = liquid_colors(s);
     c.low = -0.5f;
-    c.high = float(liquids.size()) - 0.5f;
+    c.high = float(c.liquids.size()) - 0.5f;
     return c;
   }
   const ColorRange limits = limits_of(s, c, frame, ranges);

@@ -17,6 +17,9 @@ Color map_color(ColorMap map, float t);
 Color ground_color(const Scene& scene);
 bool is_light(Color ground);
 
+/// The colour of each of Scene::liquids().
+std::vector<Color> liquid_colors(const Scene& scene);
+
 /// The colouring of the particles of a frame.
 struct Coloring {
   ColorMap map;

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double finest = 1.0 / 400;   // side of a cell over the floor's longer side
 constexpr int shadow_softness = 5;     // radius of the blur in cells; it is applied three times
-constexpr float fluid_opacity = 1.2f;  // optical depth of one layer of balls
 
 }  // namespace
 
@@ -34,7 +33,7 @@ Bounds bounds_of(const Solid<3, double>& s) {
 
 FloorShadow::FloorShadow(const Scene& scene, const Frame& fluid,
                          const std::vector<Solid<3, double>>& solids,
-                         const std::vector<TriangleMesh>& bodies)
+                         const std::vector<TriangleMesh>& bodies, float fluid_opacity)
     : low_(point_of(scene.domain.min)), high_(point_of(scene.domain.max)) {
   const Point size = high_ - low_;
   side_ = finest * std::max(size.x, size.z);

@@ -21,8 +21,9 @@ Bounds bounds_of(const Solid<3, double>& solid);
 /// The shadows of the fluid and of solids on the bottom of the domain, with soft edges.
 class FloorShadow {
  public:
+  /// fluid_opacity: optical depth of one layer of particles.
   FloorShadow(const Scene& scene, const Frame& fluid, const std::vector<Solid<3, double>>& solids,
-              const std::vector<TriangleMesh>& bodies);
+              const std::vector<TriangleMesh>& bodies, float fluid_opacity);
 
   /// The shadow at (x, z) on the floor [m]: 0 in full light, 1 in full shadow.
   float operator()(double x, double z) const;

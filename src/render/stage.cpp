@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "render/bodies.h"
+#include "render/box_span.h"
 #include "render/color.h"
 #include "render/triangle.h"
 #include "scene/model/solid_of.h"
@@ -13,6 +14,8 @@ namespace {
 
 constexpr Color wall_color{176, 172, 166};
 constexpr float darkest_shadow = 0.62f;
+constexpr double tiles_along = 12;  // the longer side of the floor
+constexpr float tile_lightness = 0.55f, tile_contrast = 0.86f;
 constexpr int circle_parts = 64;
 constexpr int most_strides = 200;  // maximum number of steps of a ray towards a solid
 
@@ -37,13 +40,18 @@ Color lit(Color c, float light) {
   return {part(c.r), part(c.g), part(c.b)};
 }
 
-Stage::Stage(const Scene& scene, const Frame& fluid, const View& view, Color ground)
+Stage::Stage(const Scene& scene, const Frame& fluid, const View& view, Color ground,
+             const StageStyle& style)
     : view_(view),
       low_(point_of(scene.domain.min)),
       high_(point_of(scene.domain.max)),
       has_floor_(has_bottom(scene) && view.eye.y > low_.y) {
   const bool light = is_light(ground);
   floor_ = mix(ground, light ? Color{120, 130, 145} : Color{150, 165, 190}, light ? 0.3f : 0.5f);
+  if (style.tiles) {
+    floor_ = mix(floor_, Color{225, 228, 230}, tile_lightness);
+    tile_ = std::max(high_.x - low_.x, high_.z - low_.z) / tiles_along;
+  }
   edge_ = mix(ground, light ? Color{0, 0, 0} : Color{255, 255, 255}, 0.45f);
   add_box_lines(low_, high_);
   for (const Scene::Wall& w : scene.wall) {
@@ -59,7 +67,7 @@ Stage::Stage(const Scene& scene, const Frame& fluid, const View& view, Color gro
     body_colors_.push_back(body_color(scene, k));
     body_tanks_.push_back(scene.body[k].side == Side::inside);
   }
-  if (has_floor_) shadow_.emplace(scene, fluid, solids_, bodies_);
+  if (has_floor_) shadow_.emplace(scene, fluid, solids_, bodies_, style.fluid_opacity);
 }
 
 void Stage::add_box_lines(Point low, Point high) {
@@ -143,38 +151,29 @@ void Stage::draw_floor(Band& band) const {
       const double pz = view_.eye.z + z * (first.z + x * step.z);
       if (px < low_.x || px > high_.x || pz < low_.z || pz > high_.z) continue;
       const float shadow = darkest_shadow * (*shadow_)(px, pz);
-      band.paint(x, y, float(z), lit(floor_, full * (1 - shadow)));
+      band.paint(x, y, float(z), lit(floor_, full * (1 - shadow) * tile(px, pz)));
     }
   }
+}
+
+/// The brightness of the floor's tile at (x, z) [m].
+float Stage::tile(double x, double z) const {
+  if (tile_ == 0) return 1;
+  const double i = std::floor((x - low_.x) / tile_), j = std::floor((z - low_.z) / tile_);
+  return std::fmod(i + j, 2) == 0 ? 1 : tile_contrast;
 }
 
 /// Sphere tracing: it advances by the distance from the solid, from the entry of the ray into the
 /// domain on. Where the domain cuts the solid, the hit has the normal of the domain's face.
 std::optional<Stage::Hit> Stage::meet(const Solid<3, double>& solid, Point ray) const {
-  double enter = view_.nearest, leave = 1e30;
-  Point face{};
-  for (int d = 0; d < 3; ++d) {
-    Point eye = view_.eye, low = low_, high = high_;
-    const double v = component(ray, d), e = component(eye, d);
-    double a = (component(low, d) - e) / v, b = (component(high, d) - e) / v;
-    if (v == 0) {
-      if (e < component(low, d) || e > component(high, d)) return {};
-      continue;
-    }
-    if (a > b) std::swap(a, b);
-    if (a > enter) {
-      enter = a;
-      face = {};
-      component(face, d) = v > 0 ? -1 : 1;
-    }
-    leave = std::min(leave, b);
-  }
+  const auto span = box_span(low_, high_, view_.eye, ray, view_.nearest);
+  if (!span) return {};
   const double stride = 1 / norm(ray), close = 1e-4 * norm(high_ - low_);
-  double z = enter;
-  for (int k = 0; k < most_strides && z <= leave; ++k) {
+  double z = span->enter;
+  for (int k = 0; k < most_strides && z <= span->leave; ++k) {
     const Point p = view_.eye + z * ray;
     const double distance = solid.distance(p);
-    if (distance < close) return Hit{z, k == 0 ? face : solid.normal(p)};
+    if (distance < close) return Hit{z, k == 0 ? span->face : solid.normal(p)};
     z += distance * stride;
   }
   return {};

@@ -19,10 +19,16 @@ inline float brightness(float facing, float upward) {
 float brightness(Point normal);
 Color lit(Color c, float light);
 
+struct StageStyle {
+  float fluid_opacity;  ///< optical depth of one layer of particles, for their shadow
+  bool tiles;           ///< a light floor of tiles, which shows refraction
+};
+
 class Stage {
  public:
   /// `view` has samples as its unit of pictures, not pixels.
-  Stage(const Scene& scene, const Frame& fluid, const View& view, Color ground);
+  Stage(const Scene& scene, const Frame& fluid, const View& view, Color ground,
+        const StageStyle& style);
 
   void draw(Band& band) const;
 
@@ -45,6 +51,7 @@ class Stage {
   bool seen_from_behind(const Solid<3, double>& plane) const;
 
   void draw_floor(Band& band) const;
+  float tile(double x, double z) const;
   void draw_solid(Band& band, const Solid<3, double>& solid) const;
   void draw_triangle(Band& band, const TriangleMesh& mesh, int triangle, bool tank,
                      Color color) const;
@@ -59,6 +66,7 @@ class Stage {
   View view_;
   Point low_, high_;  // corners of the domain
   bool has_floor_;
+  double tile_ = 0;  // side of a tile [m]; 0 for none
   Color floor_, edge_;
   std::vector<Solid<3, double>> solids_;
   std::vector<Mesh> meshes_;

@@ -43,6 +43,7 @@ void check_color_field(const Scene& scene, const DataFields& stored, const fs::p
                               "run the scene again",
                               field));
   };
+  if (scene.picture.style == PictureStyle::water) return;  // shows liquids
   switch (scene.picture.color_by) {
     case ColorBy::speed:
     case ColorBy::velocity_x:
@@ -71,7 +72,8 @@ class FrameRanges {
     std::error_code ec;
     recorded_ = fs::is_regular_file(file, ec);
     if (recorded_) rows_ = RangesByStep(file, scene);
-    const bool used = scene.picture.color_range.empty() &&
+    const bool used = scene.picture.style != PictureStyle::water &&
+                      scene.picture.color_range.empty() &&
                       scene.picture.color_scale == ColorScale::run &&
                       scene.picture.color_by != ColorBy::liquid;
     if (!recorded_ && used && options.warn)

@@ -13,6 +13,7 @@
 #include "run/finished_run.h"
 #include "run/frame_gaps.h"
 #include "run/result_folder.h"
+#include "surface/liquid_part.h"
 
 namespace freshet {
 namespace {
@@ -83,7 +84,7 @@ class SurfaceSeries {
     const Frame frame = read_frame(file.path);
     times_.push_back(frame.time);
     for (int liquid = 0; liquid < liquids_; ++liquid) {
-      const SurfaceMesh mesh = mesh_of(options_.phases ? part_of(frame, liquid) : frame, file.path);
+      const SurfaceMesh mesh = mesh_of(options_.phases ? liquid_part(frame, liquid) : frame, file.path);
       const std::string bytes = encode_surface(options_.format, mesh, {frame.time, frame.step});
       report.files.push_back(folder_.write(name(file, liquid), bytes));
     }
@@ -105,20 +106,6 @@ class SurfaceSeries {
   bool has_times() const { return options_.format == SurfaceFormat::vtp; }
   std::string times_name(int liquid) const {
     return options_.phases ? fmt::format("surfaces_liquid{}.pvd", liquid) : "surfaces.pvd";
-  }
-  /// The particles of one liquid.
-  static Frame part_of(const Frame& frame, int liquid) {
-    if (frame.liquid.empty() && liquid == 0) return frame;
-    Frame part;
-    part.dimension = frame.dimension;
-    const auto d = std::size_t(frame.dimension);
-    for (std::size_t i = 0; i < frame.liquid.size(); ++i) {
-      if (frame.liquid[i] != liquid) continue;
-      part.id.push_back(frame.id[i]);
-      part.x.insert(part.x.end(), &frame.x[d * i], &frame.x[d * i] + d);
-      part.v.insert(part.v.end(), &frame.v[d * i], &frame.v[d * i] + d);
-    }
-    return part;
   }
   /// Errors about the frame get the place of its file.
   SurfaceMesh mesh_of(const Frame& frame, const fs::path& file) const {

@@ -69,6 +69,24 @@ TEST_F(Render, RejectsOtherAndInvalidSettings) {
   EXPECT_FALSE(fs::exists(run / "pictures"));
 }
 
+TEST_F(Render, DrawsWaterFromPositionsAlone) {
+  expect_refused(render({"--set", "picture.style=water"}),
+                 "picture.style = \"water\" needs a scene in 3D");  // make_run's is in 2D
+  write_text(run / "scene.toml",
+             "domain.max = [2, 1, 1]\nparticles.spacing = 0.1\ntime = { end = 2, step = 1e-3 }\n"
+             "fluid = { min = [0, 0, 0], max = [1, 0.5, 1] }\npicture.width = 64\n");
+  Frame frame;
+  frame.dimension = 3;
+  frame.id = {0, 1};
+  frame.x = {0.9f, 0.5f, 0.5f, 1.1f, 0.5f, 0.5f};
+  DataFields fields;
+  fields.velocity = fields.density = fields.pressure = false;
+  for (int k = 0; k < 3; ++k)
+    write_text(run / data_file(DataFormat::vtp, k), encode_vtp(frame, fields));
+  const ProcessResult r = render({"--set", "picture.style=water"});
+  EXPECT_EQ(r.code, 0) << r.err;
+}
+
 TEST_F(Render, RejectsAColorWhoseFieldIsMissing) {
   Frame frame;
   frame.id = {0, 1};

@@ -2,9 +2,9 @@
 /// Pictures and cameras.
 #include <charconv>
 
-#include "scene/model/background.h"
 #include "scene/check/findings.h"
 #include "scene/keys/keys.h"
+#include "scene/model/background.h"
 
 namespace freshet {
 namespace {
@@ -25,6 +25,26 @@ void check_background(const Scene& s, Findings& out) {
     out.error("picture.background",
               "picture.dots = \"glow\" adds light to the background, and this one is too light to "
               "show it; choose picture.dots = \"solid\" or a darker background");
+}
+
+/// The style `water` has the colours of the liquids only.
+void check_style(const Scene& s, Findings& out) {
+  const auto& p = s.picture;
+  if (p.style != PictureStyle::water) return;
+  if (s.dimension() == 2)
+    return out.error("picture.style",
+                     "picture.style = \"water\" needs a scene in 3D, and this one is in 2D; remove "
+                     "it (picture.dots sets the style in 2D)");
+  if (p.color_by != ColorBy::liquid)
+    for (const char* key :
+         {"picture.color_by", "picture.color_map", "picture.color_range", "picture.color_scale"})
+      out.unused(key, key,
+                 "picture.style = \"water\" shows the colours of the liquids; remove it, set "
+                 "picture.color_by = \"liquid\", or choose picture.style = \"balls\"");
+  if (p.color_bar)
+    out.unsupported("picture.color_bar",
+                    "picture.color_bar is not used; picture.style = \"water\" shows no values; set "
+                    "it to false, or choose picture.style = \"balls\"");
 }
 
 void check_dimension(const Scene& s, Findings& out) {
@@ -122,6 +142,7 @@ void check_picture(const Scene& s, Findings& out) {
                "picture.color_range is set; remove one of them");
   check_background(s, out);
   check_dimension(s, out);
+  check_style(s, out);
 }
 
 void check_camera(const Scene& s, Findings& out) {

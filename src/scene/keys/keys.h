@@ -47,6 +47,7 @@ inline constexpr const char* data_words[] = {"vtp", "ply", "csv", "hdf5"};
 inline constexpr const char* field_words[] = {"velocity", "density", "pressure", "id"};
 inline constexpr const char* precision_words[] = {"float32", "float16"};
 inline constexpr const char* dots_words[] = {"glow", "solid"};
+inline constexpr const char* style_words[] = {"balls", "water"};
 inline constexpr const char* probe_words[] = {"point", "line", "plane", "surface", "wall"};
 inline constexpr const char* color_by_words[] = {
     "speed",         "velocity_x", "velocity_y", "velocity_z", "density",

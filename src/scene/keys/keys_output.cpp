@@ -78,6 +78,11 @@ void picture_keys(KeyVisitor& v, Scene& s) {
                .min = 1,
                .max = 200,
                .fallback = "slightly more than half a spacing; 5 if `glow`"});
+    v.choice("style", p.style, style_words,
+             {.unit = "",
+              .text = "in 3D: `balls`, a lit ball per particle in the colours of `color_by`; "
+                      "`water`, the surfaces of the liquids, clear and in their colours: they "
+                      "reflect a sky, refract what is behind them and absorb light by their depth"});
     v.numbers("window", p.window, 4,
               {.unit = "m",
                .text = "visible region in 2D: x_min, y_min, x_max, y_max",
