@@ -31,11 +31,6 @@ constexpr Color liquid_colors[] = {{64, 156, 220},  {237, 165, 37},  {92, 184, 9
                                    {214, 86, 82},   {150, 110, 200}, {60, 190, 180},
                                    {235, 130, 180}, {170, 170, 170}};
 
-Color liquid_color(const std::string& given, std::size_t k) {
-  if (const auto c = background_color(given)) return {(*c)[0], (*c)[1], (*c)[2]};
-  return liquid_colors[k % std::size(liquid_colors)];
-}
-
 Color between(std::span<const Color> colors, float t) {
   const float at = t * float(colors.size() - 1);
   const std::size_t k = std::min(std::size_t(at), colors.size() - 2);
@@ -73,6 +68,11 @@ ColorRange limits_of(const Scene& s, const Coloring& c, const Frame& frame,
 }
 
 }  // namespace
+
+Color liquid_color(const std::string& given, std::size_t k) {
+  if (const auto c = background_color(given)) return {(*c)[0], (*c)[1], (*c)[2]};
+  return liquid_colors[k % std::size(liquid_colors)];
+}
 
 Color map_color(ColorMap map, float t) {
   t = t > 0 ? std::min(t, 1.0f) : 0;  // NaN becomes 0

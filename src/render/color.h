@@ -17,6 +17,9 @@ Color map_color(ColorMap map, float t);
 Color ground_color(const Scene& scene);
 bool is_light(Color ground);
 
+/// The colour of the k-th liquid: Scene::Liquid::color, or one of a palette if that is empty.
+Color liquid_color(const std::string& given, std::size_t k);
+
 /// The colouring of the particles of a frame.
 struct Coloring {
   ColorMap map;
