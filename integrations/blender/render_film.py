@@ -15,10 +15,12 @@ import sys
 import bpy
 import mathutils
 
-WATER = "#bfe3f2"  # a liquid without a colour
+WATER = "#86cdea"  # a liquid without a colour
 ABSORPTION = 2.0  # of water over the longest side of the domain
 COLORED_ABSORPTION = 6.0  # of a liquid with a colour
 IOR = 1.333
+TANK = "#aab4bc"  # the sides of the domain
+INSET = 0.1  # of the floor and the sides, in particle spacings
 Y_UP = mathutils.Quaternion((1, 0, 0), math.radians(90))  # turns y up to z up
 
 
@@ -167,13 +169,13 @@ def add_floor(scene):
     to the floor, not through a gap that would mirror it."""
     low, high = scene["domain"]["min"], scene["domain"]["max"]
     length = max(b - a for a, b in zip(low, high))
-    height = low[1] + 0.1 * scene["spacing"]
+    height = low[1] + INSET * scene["spacing"]
     far = 30 * length
     nodes = Nodes("floor")
     place = nodes.add("ShaderNodeNewGeometry")
     tiles = nodes.add("ShaderNodeTexChecker", Scale=10 / length)
-    tiles.inputs["Color1"].default_value = (0.52, 0.51, 0.49, 1)
-    tiles.inputs["Color2"].default_value = (0.36, 0.36, 0.36, 1)
+    tiles.inputs["Color1"].default_value = (0.30, 0.29, 0.28, 1)
+    tiles.inputs["Color2"].default_value = (0.22, 0.22, 0.225, 1)
     nodes.link(place, tiles.inputs["Vector"], "Position")
     surface = nodes.add("ShaderNodeBsdfDiffuse")
     nodes.link(tiles, surface.inputs["Color"])
@@ -181,6 +183,19 @@ def add_floor(scene):
     x, z = (low[0] + high[0]) / 2, (low[2] + high[2]) / 2
     corners = [(x - far, z - far), (x - far, z + far), (x + far, z + far), (x + far, z - far)]
     add_mesh("floor", [up((a, height, b)) for a, b in corners], [(0, 1, 2, 3)], nodes.material)
+
+
+def add_walls_of_domain(scene):
+    """The sides of the tank. They are shown only from inside, so those in front of the liquid are
+    not, and are as much inside the liquid as the floor."""
+    inset = INSET * scene["spacing"]
+    low = [a + inset for a in scene["domain"]["min"]]
+    high = [b - inset for b in scene["domain"]["max"]]
+    corners = [(x, y, z) for z in (low[2], high[2]) for y in (low[1], high[1]) for x in (low[0], high[0])]
+    faces = [(0, 4, 6, 2), (1, 3, 7, 5), None, None, (0, 2, 3, 1), (4, 5, 7, 6)]
+    sides = [f for f, wall in zip(faces, scene["walls_of_domain"]) if f and wall]
+    tank = add_mesh("tank", [up(p) for p in corners], sides, matte("tank", TANK, True))
+    tank.visible_shadow = tank.visible_diffuse = False  # light passes them
 
 
 def add_light():
@@ -194,9 +209,9 @@ def add_light():
     sky.sun_elevation = math.radians(35)
     sky.sun_rotation = math.radians(140)
     world.node_tree.links.new(sky.outputs[0], nodes["Background"].inputs[0])
-    nodes["Background"].inputs[1].default_value = 0.25
+    nodes["Background"].inputs[1].default_value = 0.13
     data = bpy.data.lights.new("sun", "SUN")
-    data.energy = 3
+    data.energy = 3.2
     data.angle = 0.05
     sun = bpy.data.objects.new("sun", data)
     sun.rotation_euler = (math.radians(50), 0, math.radians(-40))
@@ -238,6 +253,7 @@ def set_renderer(scene, picture):
     cycles.sample_clamp_indirect = 4
     cycles.use_denoising = False
     settings.view_settings.view_transform = "Filmic"
+    settings.view_settings.look = "Medium High Contrast"
 
 
 def main(folder, frame_file, picture):
@@ -251,6 +267,7 @@ def main(folder, frame_file, picture):
         load(os.path.join(folder, surface), liquid("liquid%d" % k, about["color"], max(size)))
     add_solids(folder, scene, frame)
     add_floor(scene)
+    add_walls_of_domain(scene)
     add_light()
     add_camera(frame["camera"])
     set_renderer(scene, picture)
