@@ -194,20 +194,21 @@ class FilmSeries {
   }
   Image picture(const FrameFile& file) const {
     const auto bytes = folder_.read(rendered);
-    if (bytes && !bytes->empty()) {
+    if (!bytes) fail(file, "it wrote no picture: " + last_lines(output_));
+    try {
       Image image = decode_png(*bytes);
       if (image.width == options_.width && image.height == options_.height) return image;
+    } catch (const Error&) {  // reported below
     }
-    fail(file, "it wrote no picture: " + last_lines(output_));
+    fail(file, "its picture is damaged: " + last_lines(output_));
   }
   [[noreturn]] void fail(const FrameFile& file, const ChildProcess& process) const {
     const std::string lines = last_lines(process.output(most_output));
-    fail(file, lines.empty() ? "it ended early" : lines);
+    fail(file, lines.empty() ? "it ended early" : "the end of its output is: " + lines);
   }
   [[noreturn]] void fail(const FrameFile& file, const std::string& reason) const {
-    throw Error(
-        Error::Kind::run, (pictures_.path() / picture_name(file)).string(),
-        fmt::format("Blender could not render this picture; the end of its output: {}", reason));
+    throw Error(Error::Kind::run, (pictures_.path() / picture_name(file)).string(),
+                fmt::format("Blender could not render this picture: {}", reason));
   }
 
   static constexpr std::size_t most_output = 4000;
