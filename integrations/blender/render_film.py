@@ -20,7 +20,7 @@ ABSORPTION = 2.0  # of water over the longest side of the domain
 COLORED_ABSORPTION = 6.0  # of a liquid with a colour
 IOR = 1.333
 TANK = "#aab4bc"  # the sides of the domain
-INSET = 0.1  # of the floor and the sides, in particle spacings
+INSET = 0.4  # of the floor and the sides, in particle spacings
 Y_UP = mathutils.Quaternion((1, 0, 0), math.radians(90))  # turns y up to z up
 
 
@@ -78,14 +78,17 @@ def matte(name, color, see_through_outside=False):
 
 
 def liquid(name, color, length):
-    """A clear liquid that absorbs light. Shadow rays pass its surface straight, so that light
-    reaches the floor without the noise of caustics."""
+    """A clear liquid that absorbs light. Shadow rays and diffuse rays pass its surface straight, so
+    that light of sun and sky reaches floor and bodies without the noise of caustics."""
     nodes = Nodes(name)
     tint = linear(color or WATER)
     glass = nodes.add("ShaderNodeBsdfGlass", Roughness=0.0, IOR=IOR)
     clear = nodes.add("ShaderNodeBsdfTransparent", Color=(0.97, 0.97, 0.97, 1))
-    shadow = nodes.add("ShaderNodeLightPath")
-    nodes.link(nodes.mix(shadow, "Is Shadow Ray", glass, clear), nodes.output.inputs["Surface"])
+    path, either = nodes.add("ShaderNodeLightPath"), nodes.add("ShaderNodeMath")
+    either.operation = "MAXIMUM"
+    nodes.link(path, either.inputs[0], "Is Shadow Ray")
+    nodes.link(path, either.inputs[1], "Is Diffuse Ray")
+    nodes.link(nodes.mix(either, 0, glass, clear), nodes.output.inputs["Surface"])
     density = (COLORED_ABSORPTION if color else ABSORPTION) / length
     volume = nodes.add("ShaderNodeVolumeAbsorption", Color=tint, Density=density)
     nodes.link(volume, nodes.output.inputs["Volume"])
