@@ -16,10 +16,10 @@ import bpy
 import mathutils
 
 WATER = "#86cdea"  # a liquid without a colour
-ABSORPTION = 2.0  # of water over the longest side of the domain
+ABSORPTION = 4.0  # of water over the longest side of the domain
 COLORED_ABSORPTION = 6.0  # of a liquid with a colour
 IOR = 1.333
-TANK = "#aab4bc"  # the sides of the domain
+TANK = "#95a1ab"  # the sides of the domain
 INSET = 0.4  # of the floor and the sides, in particle spacings
 Y_UP = mathutils.Quaternion((1, 0, 0), math.radians(90))  # turns y up to z up
 
