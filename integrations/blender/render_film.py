@@ -16,7 +16,7 @@ import bpy
 import mathutils
 
 WATER = "#86cdea"  # a liquid without a colour
-ABSORPTION = 4.0  # of water over the longest side of the domain
+ABSORPTION = 2.8  # of water over the longest side of the domain
 COLORED_ABSORPTION = 6.0  # of a liquid with a colour
 IOR = 1.333
 TANK = "#95a1ab"  # the sides of the domain
