@@ -64,7 +64,8 @@ TEST_F(SurfaceCommand, TakesChosenFramesAndFormats) {
                        "timestep=\"0.2\" part=\"0\" file=\"surface_0002.vtp\""));
   ASSERT_EQ(surface({"--to", "0", "--format", "obj", "--output", (folder / "o").string()}).code, 0);
   EXPECT_TRUE(contains(read_text(folder / "o/surface_0000.obj"), "\nvn "));
-  expect_refused(surface({"--from", "7"}), "they have numbers from 0000 to 0002, change --from");
+  expect_refused(surface({"--from", "7"}),
+                 "the numbers of the data files are 0 to 2; change --from");
 }
 
 TEST_F(SurfaceCommand, MakesAMeshForEachLiquid) {
