@@ -26,6 +26,7 @@ int run_program(int argc, char** argv) {
   add_render(program);
   add_measure(program);
   add_surface(program);
+  add_film(program);
   add_new(program);
   add_check(program);
   add_info(program);

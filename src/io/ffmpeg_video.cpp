@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: MIT
 /// Videos by ffmpeg, in a process of its own.
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/mman.h>
-#include <sys/socket.h>
-#include <sys/types.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "freshet/error.h"
+#include "io/child_process.h"
 #include "io/files.h"
 #include "io/video.h"
-
-extern "C" char** environ;  // POSIX headers do not declare it
 
 namespace freshet {
 namespace {
@@ -49,88 +42,36 @@ std::vector<std::string> arguments(const std::filesystem::path& to, const std::s
 /// Pipes pictures to ffmpeg.
 class FfmpegVideo final : public Video {
  public:
-  FfmpegVideo(std::filesystem::path file, int width, int height, double fps);
-  ~FfmpegVideo() override;
-  FfmpegVideo(const FfmpegVideo&) = delete;
-  FfmpegVideo& operator=(const FfmpegVideo&) = delete;
-  void add(const Image& image) override;
-  void finish() override;
+  FfmpegVideo(std::filesystem::path file, int width, int height, double fps)
+      : file_(std::move(file)),
+        partial_(file_),
+        ffmpeg_(file_, arguments(partial_.path(), file_.extension().string(), width, height, fps),
+                ChildProcess::Input::pipe) {}
+  void add(const Image& image) override {
+    const char* data = reinterpret_cast<const char*>(image.pixels.data());
+    if (!ffmpeg_.send({data, 3 * image.pixels.size()})) fail();
+  }
+  void finish() override {
+    if (!ffmpeg_.finish()) fail();
+    partial_.finish();
+  }
 
  private:
   [[noreturn]] void fail();
-  bool wait();
 
   std::filesystem::path file_;
   PartialFile partial_;  // which ffmpeg opens by its name
-  int pipe_ = -1, words_ = -1;
-  pid_t ffmpeg_ = -1;
+  ChildProcess ffmpeg_;
 };
 
-FfmpegVideo::FfmpegVideo(std::filesystem::path file, int width, int height, double fps)
-    : file_(std::move(file)), partial_(file_) {
-  int ends[2];
-  words_ = ::memfd_create("ffmpeg's words", MFD_CLOEXEC);
-  if (words_ < 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    fail_file(file_, "start ffmpeg for this file", errno);
-  pipe_ = ends[0];
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], 0);
-  posix_spawn_file_actions_adddup2(&actions, words_, 1);
-  posix_spawn_file_actions_adddup2(&actions, words_, 2);
-  std::vector<std::string> words =
-      arguments(partial_.path(), file_.extension().string(), width, height, fps);
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  posix_spawnattr_t own_group;  // Ctrl-C ends the run only, which then lets ffmpeg finish the video
-  posix_spawnattr_init(&own_group);
-  posix_spawnattr_setflags(&own_group, POSIX_SPAWN_SETPGROUP);
-  const int code = ::posix_spawnp(&ffmpeg_, "ffmpeg", &actions, &own_group, argv.data(), ::environ);
-  posix_spawnattr_destroy(&own_group);
-  posix_spawn_file_actions_destroy(&actions);
-  ::close(ends[1]);
-  if (code != 0) fail_file(file_, "start ffmpeg for this file", code);
-}
-
-FfmpegVideo::~FfmpegVideo() {
-  wait();
-  ::close(words_);
-}
-
-bool FfmpegVideo::wait() {
-  if (pipe_ >= 0) ::close(std::exchange(pipe_, -1));
-  int status = 0;
-  if (ffmpeg_ > 0) ::waitpid(std::exchange(ffmpeg_, -1), &status, 0);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
-
 void FfmpegVideo::fail() {
-  wait();
-  char text[400] = {};
-  const ssize_t n = ::pread(words_, text, sizeof text - 1, 0);
-  std::string words(text, n > 0 ? std::size_t(n) : 0);
+  ffmpeg_.finish();
+  std::string words = ffmpeg_.output(4000);
   words = words.substr(0, words.find('\n'));
   throw Error(Error::Kind::run, file_.string(),
               fmt::format("ffmpeg could not make this film: {}; "
                           "make room or choose another name",
                           words.empty() ? "it ended early" : words));
-}
-
-void FfmpegVideo::add(const Image& image) {
-  const char* data = reinterpret_cast<const char*>(image.pixels.data());
-  for (std::size_t left = 3 * image.pixels.size(); left > 0;) {
-    const ssize_t sent = ::send(pipe_, data, left, MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent <= 0) fail();
-    data += sent;
-    left -= std::size_t(sent);
-  }
-}
-
-void FfmpegVideo::finish() {
-  if (!wait()) fail();
-  partial_.finish();
 }
 
 }  // namespace

@@ -28,6 +28,10 @@ std::optional<std::int64_t> number_of_frame(const fs::path& file, const std::str
 
 }  // namespace
 
+std::string picture_name(const FrameFile& frame) {
+  return fmt::format("frame_{:04}.png", frame.number);
+}
+
 std::vector<FrameFile> frame_files(const fs::path& run_folder) {
   for (const FrameFormat& format : frame_formats()) {
     std::vector<FrameFile> files;

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct FrameFile {
   std::int64_t number;
   bool operator==(const FrameFile&) const = default;
 };
+
+/// The name of the picture of a data file: "frame_0007.png".
+std::string picture_name(const FrameFile& frame);
 
 /// The data files in a run folder in the order of their numbers. The format is the first that
 /// exists of HDF5, VTP, PLY and CSV. Empty if there are none.

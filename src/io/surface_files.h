@@ -26,6 +26,15 @@ std::string encode_surface_vtp(const SurfaceMesh& mesh, const SurfaceTime& time)
 /// run) if the file would be longer than the format's 4 GiB.
 std::string encode_surface_glb(const SurfaceMesh& mesh, const SurfaceTime& time);
 
+/// A matte material.
+struct SolidMaterial {
+  std::string name;
+  std::array<float, 3> color;  ///< sRGB, 0 to 1
+  float roughness;             ///< 0 to 1
+};
+/// The surface of a solid as glTF 2.0, by the layout of encode_surface_glb.
+std::string encode_solid_glb(const SurfaceMesh& mesh, const SolidMaterial& material);
+
 std::string encode_surface(SurfaceFormat format, const SurfaceMesh& mesh, const SurfaceTime& time);
 /// Such as ".ply".
 const char* extension_of(SurfaceFormat format);

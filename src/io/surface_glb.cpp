@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -83,22 +85,22 @@ class GltfDocument {
   std::string buffer_;
 };
 
-nlohmann::json water() {
-  return {{"name", "water"},
+nlohmann::json material_of(const std::string& name, const std::array<float, 3>& linear_color,
+                           float roughness) {
+  return {{"name", name},
           {"pbrMetallicRoughness",
-           {{"baseColorFactor", {0.05, 0.25, 0.4, 1}},
+           {{"baseColorFactor", {linear_color[0], linear_color[1], linear_color[2], 1}},
             {"metallicFactor", 0},
-            {"roughnessFactor", 0.05}}}};
+            {"roughnessFactor", roughness}}}};
 }
 
-}  // namespace
-
-std::string encode_surface_glb(const SurfaceMesh& mesh, const SurfaceTime& time) {
+/// A file with one mesh of this material. `extras` are values about the file.
+std::string encode_glb(const SurfaceMesh& mesh, const nlohmann::json& extras,
+                       const std::string& name, const nlohmann::json& material) {
   GltfDocument document;
   nlohmann::json& json = document.json();
-  json["asset"] = {{"version", "2.0"},
-                   {"generator", "freshet"},
-                   {"extras", {{"time", time.time}, {"step", time.step}}}};
+  json["asset"] = {{"version", "2.0"}, {"generator", "freshet"}};
+  if (!extras.empty()) json["asset"]["extras"] = extras;
   json["scene"] = 0;
   json["scenes"] = {nlohmann::json::object()};
   if (mesh.triangles.empty()) return document.file();
@@ -109,11 +111,29 @@ std::string encode_surface_glb(const SurfaceMesh& mesh, const SurfaceTime& time)
   if (!mesh.velocity.empty()) attributes["_VELOCITY"] = document.add_vectors(mesh.velocity);
   const std::size_t indices = document.add(mesh.triangles, index_type, "SCALAR", 1, index_buffer);
   json["scenes"][0]["nodes"] = {0};
-  json["nodes"] = {{{"name", "surface"}, {"mesh", 0}}};
-  json["materials"] = {water()};
+  json["nodes"] = {{{"name", name}, {"mesh", 0}}};
+  json["materials"] = {material};
   json["meshes"] = {
       {{"primitives", {{{"attributes", attributes}, {"indices", indices}, {"material", 0}}}}}};
   return document.file();
+}
+
+float linear_of(float srgb) {
+  return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
+}
+
+}  // namespace
+
+std::string encode_surface_glb(const SurfaceMesh& mesh, const SurfaceTime& time) {
+  return encode_glb(mesh, {{"time", time.time}, {"step", time.step}}, "surface",
+                    material_of("water", {0.05f, 0.25f, 0.4f}, 0.05f));
+}
+
+std::string encode_solid_glb(const SurfaceMesh& mesh, const SolidMaterial& material) {
+  const auto& [r, g, b] = material.color;
+  return encode_glb(
+      mesh, {}, material.name,
+      material_of(material.name, {linear_of(r), linear_of(g), linear_of(b)}, material.roughness));
 }
 
 }  // namespace freshet

@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "io/video.h"
 
-#include <unistd.h>
-
-#include <cstdlib>
-#include <sstream>
 #include <string>
 
 #include "freshet/error.h"
+#include "io/child_process.h"
 
 namespace freshet {
 namespace {
 
 constexpr double most_gif_fps = 100;  // a GIF counts hundredths of a second
-
-bool in_path(const std::string& program) {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path ? path : "");
-  for (std::string folder; std::getline(folders, folder, ':');)
-    if (::access((folder + "/" + program).c_str(), X_OK) == 0) return true;
-  return false;
-}
 
 /// How to get an encoder for a kind of file; empty if there is one.
 std::string missing_encoder(const std::string& kind) {

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cmath>
 
 #include "freshet/render.h"
 #include "freshet/simulation.h"
@@ -11,6 +10,7 @@
 #include "render/png.h"
 #include "run/finished_run.h"
 #include "run/frame_gaps.h"
+#include "run/frame_video.h"
 #include "run/percentile_table.h"
 #include "run/result_folder.h"
 #include "scene/model/picture_layout.h"
@@ -19,10 +19,6 @@ namespace freshet {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string picture_name(const FrameFile& frame) {
-  return fmt::format("frame_{:04}.png", frame.number);
-}
 
 /// The folder of the pictures: one that the options name, or RUN/pictures.
 ResultFolder picture_folder(const RenderOptions& options, const std::vector<FrameFile>& frames) {
@@ -94,32 +90,6 @@ class FrameRanges {
   ColorRanges seen_;
 };
 
-/// A film that shows each frame until the next one's time, in pictures of one length.
-class Film {
- public:
-  Film(const PictureLayout& picture, const VideoOptions& options)
-      : per_second_(options.fps / options.speed),
-        video_(make_video(options.file, picture.width, picture.height, options.fps)) {}
-
-  void add(const Image& image, double time) {
-    if (!start_) start_ = time;
-    const auto due = std::int64_t((time - *start_) * per_second_ + 1e-6);
-    for (; shown_ < due; ++shown_) video_->add(*last_);
-    last_ = image;
-  }
-  void finish() {
-    if (last_) video_->add(*last_);
-    video_->finish();
-  }
-
- private:
-  double per_second_;  // pictures per simulated second
-  std::unique_ptr<Video> video_;
-  std::optional<double> start_;
-  std::optional<Image> last_;
-  std::int64_t shown_ = 0;
-};
-
 }  // namespace
 
 RenderReport render(const RenderOptions& options) {
@@ -138,8 +108,11 @@ RenderReport render(const RenderOptions& options) {
       options.warn && !gaps.empty())
     options.warn(gaps);
   FrameRanges ranges(options, scene);
-  std::optional<Film> film;
-  if (options.video) film.emplace(picture_layout(scene), *options.video);
+  std::optional<FrameVideo> film;
+  if (options.video) {
+    const PictureLayout picture = picture_layout(scene);
+    film.emplace(picture.width, picture.height, *options.video);
+  }
   RenderReport report;
   for (const FrameFile& file : run.files()) {
     DataFields stored;

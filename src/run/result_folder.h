@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,13 @@ class ResultFolder {
   /// Throws Error (kind scene) if one of these files exists. `noun`: what the files are.
   void refuse_existing(const std::vector<std::string>& names, const std::string& noun) const;
   std::filesystem::path write(const std::string& name, std::string_view bytes) const;
+  std::filesystem::path path() const { return folder_.path() / below_; }
+  /// The bytes of a regular file. Empty if there is none.
+  std::optional<std::string> read(const std::string& name) const {
+    return folder_.read(below_ + name);
+  }
+  /// Removes a file. A missing one is no error.
+  void remove(const std::string& name) const { folder_.remove(below_ + name); }
 
  private:
   std::string below_;

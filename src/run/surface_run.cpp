@@ -10,8 +10,8 @@
 #include "io/frame_data.h"
 #include "io/frame_files.h"
 #include "io/surface_files.h"
-#include "run/finished_run.h"
 #include "run/frame_gaps.h"
+#include "run/frame_surface.h"
 #include "run/result_folder.h"
 #include "surface/liquid_part.h"
 
@@ -29,14 +29,6 @@ void check_options(const SurfaceOptions& options) {
   if (options.every < 1)
     throw Error(Error::Kind::scene, fmt::format("option every {}", options.every),
                 "it must be from 1 on");
-}
-
-Scene scene_in_3d(const fs::path& run) {
-  Scene scene = scene_of_run(run, {}, {});
-  if (scene.dimension() != 3)
-    throw Error(Error::Kind::scene, (run / "scene.toml").string(),
-                "this run is in 2D; a surface needs a run in 3D");
-  return scene;
 }
 
 /// The data files that the options choose.
@@ -70,8 +62,6 @@ class SurfaceSeries {
         scene_(scene),
         liquids_(options.phases ? int(scene.liquids().size()) : 1),
         folder_(options.run, options.output, "surface") {
-    for (std::size_t k = 0; k < 3 && k < scene.domain.min.size(); ++k)
-      origin_[k] = scene.domain.min[k];
     std::vector<std::string> names;
     for (const FrameFile& frame : frames)
       for (int liquid = 0; liquid < liquids_; ++liquid) names.push_back(name(frame, liquid));
@@ -84,7 +74,9 @@ class SurfaceSeries {
     const Frame frame = read_frame(file.path);
     times_.push_back(frame.time);
     for (int liquid = 0; liquid < liquids_; ++liquid) {
-      const SurfaceMesh mesh = mesh_of(options_.phases ? liquid_part(frame, liquid) : frame, file.path);
+      const SurfaceMesh mesh =
+          surface_of_frame(scene_, options_.phases ? liquid_part(frame, liquid) : frame, file.path,
+                           options_.settings, options_.threads);
       const std::string bytes = encode_surface(options_.format, mesh, {frame.time, frame.step});
       report.files.push_back(folder_.write(name(file, liquid), bytes));
     }
@@ -107,24 +99,10 @@ class SurfaceSeries {
   std::string times_name(int liquid) const {
     return options_.phases ? fmt::format("surfaces_liquid{}.pvd", liquid) : "surfaces.pvd";
   }
-  /// Errors about the frame get the place of its file.
-  SurfaceMesh mesh_of(const Frame& frame, const fs::path& file) const {
-    try {
-      return surface_of(frame, scene_.particles.spacing, origin_, options_.settings,
-                        options_.threads);
-    } catch (const Error& e) {
-      std::vector<Diagnostic> all = e.diagnostics();
-      for (Diagnostic& d : all)
-        if (d.place.empty()) d.place = file.string();
-      throw Error(e.kind(), std::move(all));
-    }
-  }
-
   const SurfaceOptions& options_;
   const Scene& scene_;
   int liquids_;
   ResultFolder folder_;
-  std::array<double, 3> origin_{};
   std::vector<double> times_;
 };
 
@@ -133,7 +111,7 @@ class SurfaceSeries {
 SurfaceReport make_surfaces(const SurfaceOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   check_options(options);
-  const Scene scene = scene_in_3d(options.run);
+  const Scene scene = scene_in_3d(options.run, {}, {}, "a surface");
   const std::vector<FrameFile> frames = chosen_frames(options);
   if (const auto gaps = gaps_in(frames, "they get no surface, and the others keep their numbers",
                                 options.from, options.every);
