@@ -51,16 +51,16 @@ struct Svg {
   }
 };
 
-struct Point {
+struct Mark {
   double x, y;
 };
 
 /// The vertices of a path of lines, each with its command.
-std::vector<std::pair<char, Point>> vertices(const std::string& path) {
-  std::vector<std::pair<char, Point>> all;
+std::vector<std::pair<char, Mark>> vertices(const std::string& path) {
+  std::vector<std::pair<char, Mark>> all;
   std::istringstream in(path);
   char letter = 0;
-  Point p{};
+  Mark p{};
   while (in >> letter >> p.x >> p.y) all.emplace_back(letter, p);
   return all;
 }
@@ -178,11 +178,11 @@ TEST(Chart, SvgAndPngShowTheSameLine) {
   EXPECT_EQ(image.width, int(2 * root.attribute("width").as_double()));
   EXPECT_EQ(image.height, int(std::ceil(2 * root.attribute("height").as_double())));
   EXPECT_EQ((Color{255, 255, 255}), image.pixels[0]);
-  const auto at = [&](Point p) {
+  const auto at = [&](Mark p) {
     return image.pixels[std::size_t(2 * p.y) * std::size_t(image.width) + std::size_t(2 * p.x)];
   };
   const auto line = vertices(svg.paths(blue)[0]);
-  const Point a = line[0].second, b = line[1].second;
+  const Mark a = line[0].second, b = line[1].second;
   EXPECT_EQ((Color{0, 114, 178}), at({(a.x + b.x) / 2, (a.y + b.y) / 2}));
 }
 
