@@ -346,6 +346,7 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
       fluid_.a[i] = a[from];
     }
     backend.share("wall forces", fluid_, fluid_.rho, fluid_.p);
+    if (fluid_.kind.data) backend.share("wall forces", fluid_, fluid_.kind);
   }
   /// All forces on walls but bounces.
   void add_wall_forces(WallForces<D, B>& forces) {

@@ -62,7 +62,8 @@ class GltfDocument {
   nlohmann::json& json() { return json_; }
 
   std::string file() {
-    if (!buffer_.empty()) json_["buffers"] = {{{"byteLength", buffer_.size()}}};
+    if (!buffer_.empty())
+      json_["buffers"] = nlohmann::json::array({{{"byteLength", buffer_.size()}}});
     std::string chunks;
     if (buffer_.size() < largest) {
       append_chunk(chunks, json_chunk, json_.dump());
@@ -102,7 +103,7 @@ std::string encode_glb(const SurfaceMesh& mesh, const nlohmann::json& extras,
   json["asset"] = {{"version", "2.0"}, {"generator", "freshet"}};
   if (!extras.empty()) json["asset"]["extras"] = extras;
   json["scene"] = 0;
-  json["scenes"] = {nlohmann::json::object()};
+  json["scenes"] = nlohmann::json::array({nlohmann::json::object()});
   if (mesh.triangles.empty()) return document.file();
   nlohmann::json attributes;
   attributes["POSITION"] = document.add_vectors(mesh.position);
@@ -110,11 +111,12 @@ std::string encode_glb(const SurfaceMesh& mesh, const nlohmann::json& extras,
   attributes["NORMAL"] = document.add_vectors(mesh.normal);
   if (!mesh.velocity.empty()) attributes["_VELOCITY"] = document.add_vectors(mesh.velocity);
   const std::size_t indices = document.add(mesh.triangles, index_type, "SCALAR", 1, index_buffer);
-  json["scenes"][0]["nodes"] = {0};
-  json["nodes"] = {{{"name", name}, {"mesh", 0}}};
-  json["materials"] = {material};
-  json["meshes"] = {
-      {{"primitives", {{{"attributes", attributes}, {"indices", indices}, {"material", 0}}}}}};
+  json["scenes"][0]["nodes"] = nlohmann::json::array({0});
+  json["nodes"] = nlohmann::json::array({{{"name", name}, {"mesh", 0}}});
+  json["materials"] = nlohmann::json::array({material});
+  const nlohmann::json triangles{{"attributes", attributes}, {"indices", indices}, {"material", 0}};
+  json["meshes"] = nlohmann::json::array();
+  json["meshes"].push_back({{"primitives", nlohmann::json::array({triangles})}});
   return document.file();
 }
 

@@ -184,7 +184,7 @@ TEST_F(FilmCommand, RejectsRunsWithoutALiquidIn3D) {
 }
 
 TEST_F(FilmCommand, LeavesNoPartOfAFileThatDoesNotFit) {
-  const auto r = film({}, {.file_limit = 3000});
+  const auto r = film({"--threads", "1"}, {.file_limit = 3000});
   EXPECT_EQ(r.code, 1);
   EXPECT_TRUE(contains(r.err, "limit on file sizes")) << r.err;
   EXPECT_TRUE(pictures().empty());

@@ -116,7 +116,7 @@ TEST_F(SurfaceCommand, RejectsWhatHasNoSurface) {
 }
 
 TEST_F(SurfaceCommand, LeavesNoPartOfAFileThatDoesNotFit) {
-  const auto r = surface({}, {.file_limit = 1000});
+  const auto r = surface({"--threads", "1"}, {.file_limit = 2000});
   EXPECT_EQ(r.code, 1);
   EXPECT_TRUE(contains(r.err, "surface_0000.ply: error: cannot write: ")) << r.err;
   EXPECT_TRUE(contains(r.err, "limit on file sizes")) << r.err;

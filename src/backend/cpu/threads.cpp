@@ -43,7 +43,7 @@ void try_threads(int count) {
 
 /// Makes OpenMP start its threads now, on the memory that try_threads has just given back. Later
 /// the run could have taken that memory.
-void start_team([[maybe_unused]] int count) {
+[[gnu::noinline]] void start_team([[maybe_unused]] int count) {
 #ifdef _OPENMP
   std::atomic<int> started{0};
 #pragma omp parallel num_threads(count)
@@ -71,11 +71,14 @@ int Threads::current() {
 
 void Threads::run(int parts, const void* context, void (*part)(const void*, int)) const {
   // Without OpenMP: libgomp allocates memory where the number of threads changes, and ends the
-  // process if the allocation fails.
-  if (parts <= 1 || count_ <= 1) {
-    for (int k = 0; k < parts; ++k) part(context, k);
-    return;
-  }
+  // process if the allocation fails. libomp writes a file when it starts.
+  if (parts > 1 && count_ > 1) return run_together(parts, context, part);
+  for (int k = 0; k < parts; ++k) part(context, k);
+}
+
+// Not inlined: clang calls OpenMP at the start of a function that has a parallel loop.
+[[gnu::noinline]] void Threads::run_together(int parts, const void* context,
+                                             void (*part)(const void*, int)) const {
   std::exception_ptr error;
   std::atomic<bool> failed{false};
 #ifdef _OPENMP

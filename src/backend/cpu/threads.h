@@ -28,6 +28,7 @@ class Threads {
  private:
   /// The loop is compiled once: an indirect call per part is cheap compared with the part.
   void run(int parts, const void* context, void (*part)(const void*, int)) const;
+  void run_together(int parts, const void* context, void (*part)(const void*, int)) const;
 
   int count_;
 };
