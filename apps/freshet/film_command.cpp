@@ -2,7 +2,6 @@
 #include "freshet/film.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <charconv>
 
@@ -55,21 +54,18 @@ int film_of(const FilmArguments& a) {
   set_size(options, a.size);
   if (a.at >= 0) options.at = a.at;
   if (!a.video.empty()) options.video = VideoOptions{a.video, a.fps, a.speed};
-  const bool bar = !a.quiet && isatty(STDOUT_FILENO) == 1;
-  options.after_picture = [bar](std::size_t done, std::size_t all) {
-    if (bar) put(fmt::format("\r{} of {} pictures", done, all));
-    if (bar) flush_output();
-    return !stop_asked();
-  };
+  const Count count(a.quiet, "pictures");
+  options.after_picture = count;
   options.while_rendering = [] { return !stop_asked(); };
   if (!a.quiet) options.warn = print_diagnostics;
   catch_interrupts();
   const FilmReport r = make_film(options);
-  if (bar) put("\r");
+  count.finish();
   if (!a.quiet)
-    print_out("{}{} pictures in {}\nwrote {}\n", r.interrupted ? "interrupted after " : "",
+    print_out("{}{} pictures in {}\nwrote {}\n{}", r.interrupted ? "interrupted after " : "",
               r.pictures.size(), duration(r.seconds),
-              r.pictures.empty() ? "" : r.pictures.back().string());
+              r.pictures.empty() ? "" : r.pictures.back().string(),
+              a.video.empty() ? "" : "wrote " + a.video + "\n");
   return r.interrupted ? interrupted : done;
 }
 

@@ -2,7 +2,6 @@
 #include "freshet/measure.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "command.h"
 #include "interrupts.h"
@@ -29,16 +28,12 @@ int measure_run(const MeasureArguments& a) {
   options.overwrite = a.overwrite;
   options.execution.threads = a.threads;
   options.overrides = a.keys.overrides();
-  const bool bar = !a.quiet && isatty(STDOUT_FILENO) == 1;
-  options.after_frame = [bar](std::size_t frames, std::size_t all) {
-    if (bar) put(fmt::format("\r{} of {} frames", frames, all));
-    if (bar) flush_output();
-    return !stop_asked();
-  };
+  const Count count(a.quiet, "frames");
+  options.after_frame = count;
   if (!a.quiet) options.warn = print_diagnostics;
   catch_interrupts();
   const MeasureReport r = measure(options);
-  if (bar) put("\r");
+  count.finish();
   if (!a.quiet) {
     print_out("{}{} frames in {}\n", r.interrupted ? "interrupted after " : "", r.frames,
               duration(r.seconds));

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "freshet/units.h"
+#include "interrupts.h"
 #include "print.h"
 
 namespace freshet::cli {
@@ -27,6 +28,18 @@ void show_bytes(const std::string& bytes) {
 }
 
 }  // namespace
+
+Count::Count(bool quiet, const char* noun)
+    : shown_(!quiet && isatty(STDOUT_FILENO) == 1), noun_(noun) {}
+
+bool Count::operator()(std::size_t done, std::size_t all) const {
+  if (shown_) show_bytes(fmt::format("\r{} of {} {}", done, all, noun_));
+  return !stop_asked();
+}
+
+void Count::finish() const {
+  if (shown_) put("\r");
+}
 
 std::string short_number(double value) {
   const char* unit = "";

@@ -45,6 +45,20 @@ class Progress {
   std::vector<SolveStatistics> shown_solves_;  // those so far
 };
 
+/// Counts on a terminal, unless `quiet`, what a command makes of a finished run.
+class Count {
+ public:
+  Count(bool quiet, const char* noun);
+  /// Shows how many of all are done. Returns whether to go on: the user did not ask to stop.
+  bool operator()(std::size_t done, std::size_t all) const;
+  /// Lets the next line replace the count.
+  void finish() const;
+
+ private:
+  bool shown_;
+  const char* noun_;
+};
+
 /// 1234567 -> "1.23 M"
 std::string short_number(double value);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
 
@@ -29,16 +28,12 @@ int render_run(const RenderArguments& a) {
   options.threads = a.threads;
   options.overrides = a.keys.overrides();
   if (!a.video.empty()) options.video = VideoOptions{a.video, a.fps, a.speed};
-  const bool bar = !a.quiet && isatty(STDOUT_FILENO) == 1;
-  options.after_picture = [bar](std::size_t done, std::size_t all) {
-    if (bar) put(fmt::format("\r{} of {} pictures", done, all));
-    if (bar) flush_output();
-    return !stop_asked();
-  };
+  const Count count(a.quiet, "pictures");
+  options.after_picture = count;
   if (!a.quiet) options.warn = print_diagnostics;
   catch_interrupts();
   const RenderReport r = render(options);
-  if (bar) put("\r");
+  count.finish();
   if (!a.quiet)
     print_out("{}{} pictures in {}\nwrote {}\n{}", r.interrupted ? "interrupted after " : "",
               r.pictures.size(), duration(r.seconds),

@@ -2,7 +2,6 @@
 #include "freshet/surface.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 
@@ -31,16 +30,12 @@ int make(const SurfaceArguments& a) {
   options.format =
       SurfaceFormat(std::find(formats.begin(), formats.end(), a.format) - formats.begin());
   if (a.to >= 0) options.to = a.to;
-  const bool bar = !a.quiet && isatty(STDOUT_FILENO) == 1;
-  options.after_surface = [bar](std::size_t done, std::size_t all) {
-    if (bar) put(fmt::format("\r{} of {} frames", done, all));
-    if (bar) flush_output();
-    return !stop_asked();
-  };
+  const Count count(a.quiet, "frames");
+  options.after_surface = count;
   if (!a.quiet) options.warn = print_diagnostics;
   catch_interrupts();
   const SurfaceReport r = make_surfaces(options);
-  if (bar) put("\r");
+  count.finish();
   if (!a.quiet)
     print_out("{}{} surfaces in {}\nwrote {}\n", r.interrupted ? "interrupted after " : "",
               r.files.size(), duration(r.seconds), r.files.empty() ? "" : r.files.back().string());

@@ -36,8 +36,8 @@ FRESHET_HD int passed(const Opening<D>& piece, Vec<D, double> x, Vec<D, double> 
   return from < 0 ? 1 : -1;
 }
 
-/// The displacement along an axis by the shorter way, across its ends where it is periodic; a
-/// period of 0 is none [m].
+/// The displacement along an axis by the shorter way, across its ends where it is periodic.
+/// `period` is 0 where the axis does not repeat [m].
 FRESHET_HD double shorter_way(double way, double period) {
   if (!(period > 0)) return way;
   return way > period / 2 ? way - period : way < -period / 2 ? way + period : way;

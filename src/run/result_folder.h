@@ -20,7 +20,7 @@ class ResultFolder {
   void refuse_existing(const std::vector<std::string>& names, const std::string& noun) const;
   std::filesystem::path write(const std::string& name, std::string_view bytes) const;
   std::filesystem::path path() const { return folder_.path() / below_; }
-  /// The bytes of a regular file. Empty if there is none.
+  /// The bytes of a regular file. Empty if the file does not exist.
   std::optional<std::string> read(const std::string& name) const {
     return folder_.read(below_ + name);
   }

@@ -16,7 +16,7 @@ struct PointValues {
   /// surroundings the particles fill.
   std::vector<float> fill;
   /// The direction out of the liquid, against the field's gradient; a unit vector, or zero where
-  /// there is none.
+  /// the field has no gradient.
   std::vector<Vec<3, float>> normal;
   /// The step to where the field has its level [cells]: Newton's, as marching cubes interpolate
   /// linearly.

@@ -88,7 +88,7 @@ void check_plane(const Scene& s, const Scene::Probe& p, const std::string& at, F
 /// A line of not too many places.
 void check_surface(const Scene& s, const Scene::Probe& p, const std::string& at, Findings& out) {
   const auto n = std::size_t(s.dimension());
-  if (p.from.size() != n || p.to.size() != n) return;  // told of already
+  if (p.from.size() != n || p.to.size() != n) return;  // reported already
   const double places = 1 + steps_of_surface(s, p);
   if (places > most_places)
     out.error(at + "to", fmt::format("the line of the surface probe has {:.3g} places, four in a "
@@ -107,7 +107,7 @@ bool has_samples(const Scene& s) {
 
 /// The edges of a rectangle on a wall in 3D: parallel to the axes, or one of them to probe.along.
 bool check_rectangle(const Scene& s, const Scene::Probe& p, const std::string& at, Findings& out) {
-  if (p.from.size() != 3 || p.to.size() != 3 || p.from == p.to) return false;  // told of already
+  if (p.from.size() != 3 || p.to.size() != 3 || p.from == p.to) return false;  // reported already
   if (p.along.empty()) {
     if (p.from[0] == p.to[0] || p.from[1] == p.to[1] || p.from[2] == p.to[2])
       return check_corners(s, p, 2, at, out);
