@@ -131,6 +131,11 @@ std::string inlet_row(const Scene& s, const DerivedInlet& in) {
       in.speed / s.particles.spacing);
 }
 
+std::string whitewater_row(const Scene& s, const Derived& d) {
+  return fmt::format("maximum speed {:.4g} m/s; at most {:.0f} particles", d.fastest,
+                     d.whitewater(s));
+}
+
 std::string time_step_row(const Scene& s, const Derived& d) {
   const std::string step = s.time.adaptive
                                ? fmt::format("adaptive, at most {:g} s", *s.time.step_max)
@@ -184,6 +189,7 @@ void info(const SceneArguments& a) {
                                      density, d.rest_density, density));
   if (s.method().incompressible()) row("tolerances", tolerance_row(s, d));
   else row("speed of sound", sound_row(s, d));
+  if (s.whitewater) row("whitewater", whitewater_row(s, d));
   row("time step", time_step_row(s, d));
   const Cost cost = measure(s, a.execution());
   const double steps = likely_steps(s, d, cost);
@@ -197,8 +203,9 @@ void info(const SceneArguments& a) {
                               duration(likely_seconds(d, cost, steps)), 1e3 * cost.seconds_per_step,
                               d.inlets.empty() ? "" : "; more with inlets"));
   row("memory", fmt::format("{}B", short_number(peak_memory())));
-  row("disk", disk_row(d) + fmt::format("; {}B for two checkpoints",
-                                        short_number(2 * cost.checkpoint_bytes)));
+  row("disk",
+      disk_row(d) + (s.whitewater && d.data_frames > 0 ? " without whitewater" : "") +
+          fmt::format("; {}B for two checkpoints", short_number(2 * cost.checkpoint_bytes)));
   print_diagnostics(scene_warnings(s));
 }
 

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "freshet/whitewater.h"
+
 namespace freshet {
 
 /// The state of a rigid body at one time, in three dimensions. In a 2D scene z is 0 and the body
@@ -31,6 +33,7 @@ struct Frame {
                                          ///< [kg/m^3], [Pa]
   std::vector<int> liquid;               ///< index in Scene::liquids(); empty for one liquid
   std::vector<BodyState> bodies;         ///< in the order of Scene::body
+  WhitewaterFrame whitewater;            ///< empty in scenes without [whitewater]
   std::size_t size() const { return id.size(); }
 };
 

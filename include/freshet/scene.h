@@ -201,6 +201,15 @@ struct Scene {
     Vector velocity;  // at rest if empty
     double density = 1.2, viscosity = 1.8e-5;
   };
+  /// Spray, foam and bubbles, which the fluid moves and which do not act on it.
+  struct Whitewater {
+    double trapped_air = 1, wave_crest = 1;  // births per particles.spacing of path
+    Vector trapped_air_limits, wave_crest_limits, speed_limits;  // low, high; by the scene if empty
+    Vector lifetime{2, 5};                                       // of foam: minimum, maximum [s]
+    double buoyancy = 2, rise_speed = 0.25;                      // of bubbles
+    std::optional<std::int64_t> max_particles;  // three times the fluid's if not set
+    std::int64_t seed = 0;
+  };
   /// The sides of the domain. A side that is not set has `method`. If `method` is not set either,
   /// it is reflection for mueller2003 and akinci2012 for the other solvers.
   struct Walls {
@@ -244,15 +253,15 @@ struct Scene {
   struct Picture {
     std::optional<std::int64_t> width, height;  // [px]; follow the domain
     bool stretch = false;                       // 2D: fills width and height
-    std::optional<std::int64_t> dot_radius;  // [px]; 2D
-    Dots dots = Dots::solid;                 // 2D
-    PictureStyle style = PictureStyle::balls;  // 3D
-    Vector window;                           // x_min, y_min, x_max, y_max; 2D
+    std::optional<std::int64_t> dot_radius;     // [px]; 2D
+    Dots dots = Dots::solid;                    // 2D
+    PictureStyle style = PictureStyle::balls;   // 3D
+    Vector window;                              // x_min, y_min, x_max, y_max; 2D
     ColorBy color_by = ColorBy::speed;
     std::optional<ColorMap> color_map;  // suits color_by
     Vector color_range;                 // minimum and maximum; by color_scale if empty
     ColorScale color_scale = ColorScale::run;
-    std::string background = "night";   // a name, or "#rrggbb"
+    std::string background = "night";  // a name, or "#rrggbb"
     bool time_stamp = false, scale_bar = false, color_bar = false;
   };
   /// The camera of pictures in 3D. Several cameras are key frames.
@@ -282,6 +291,7 @@ struct Scene {
   std::vector<Joint> joint;
   Solver solver;
   Air air;
+  std::optional<Whitewater> whitewater;  // none if not set
   Walls walls;
   Time time;
   Output output;
@@ -343,8 +353,8 @@ struct Scene {
 };
 
 /// A key and the value that replaces the scene's. The value is parsed as TOML; if that fails, it is
-/// a string. Without a value, the key or table is removed; it must be in the scene. Diagnostics have
-/// the place "override KEY" or "removal KEY".
+/// a string. Without a value, the key or table is removed; it must be in the scene. Diagnostics
+/// have the place "override KEY" or "removal KEY".
 using Override = std::pair<std::string, std::optional<std::string>>;
 
 /// Loads and checks a scene.

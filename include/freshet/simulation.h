@@ -11,6 +11,7 @@
 #include "freshet/particles.h"
 #include "freshet/report.h"
 #include "freshet/scene.h"
+#include "freshet/whitewater.h"
 
 namespace freshet {
 
@@ -123,6 +124,8 @@ class Simulation {
   ParticleView fluid() const;
   /// The states of the rigid bodies, in the order of Scene::body.
   std::vector<BodyState> bodies() const;
+  /// Spray, foam and bubbles of a scene with [whitewater].
+  WhitewaterView whitewater() const;
   /// A copy of the fluid for pictures and files.
   Frame frame() const;
   /// Replaces the fluid, the bodies, the step and the time by those of a frame of this scene, to be

@@ -43,8 +43,9 @@ bool is_name(std::string_view name) {
 
 /// Whether NaN and infinity are errors in this array. Other fields follow from these.
 bool must_be_finite(std::string_view name) {
-  return name.starts_with("bodies/") || name.starts_with("flows/") || name.ends_with("/x") ||
-         name.ends_with("/v") || name == "fluid/x_counted" || name == "fluid/bounced";
+  return name.starts_with("bodies/") || name.starts_with("flows/") ||
+         name.starts_with("whitewater") || name.ends_with("/x") || name.ends_with("/v") ||
+         name == "fluid/x_counted" || name == "fluid/bounced";
 }
 
 template <class T> void check_finite(const Array& a) {

@@ -12,6 +12,7 @@
 #include "freshet/report.h"
 #include "freshet/state_array.h"
 #include "freshet/time_step.h"
+#include "freshet/whitewater.h"
 #include "solvers/solve.h"
 
 namespace freshet {
@@ -24,14 +25,16 @@ class Engine {
   virtual ~Engine() = default;
   /// Takes a step of dt from `time` on [s]. Returns the results of its solves.
   virtual Solves step(double time, double dt) = 0;
-  /// After an accepted step that ended at `time`: moves the particles that inlets hold, counts
-  /// particles, and adds and removes particles.
+  /// After an accepted step that ended at `time`: advances the whitewater, moves the particles that
+  /// inlets hold, counts particles, and adds and removes particles.
   virtual void flow(double time, double dt) = 0;
   /// The number of particles through each of Scene::flow_names() since the start, then the number
   /// of particles that wait at each inlet.
   virtual std::vector<std::int64_t> flow_counts() const = 0;
-  /// Resizes the fluid to n particles, whose state the caller writes.
+  /// Resizes the fluid, or the whitewater if there is one, to n particles, whose state the caller
+  /// writes.
   virtual void resize(std::int64_t n) = 0;
+  virtual void resize_whitewater(std::int64_t n) = 0;
   /// Rolls the last step back. Only for pressure solvers.
   virtual void undo() = 0;
   /// The bounds of a step from `time` on [s], by the state and the accelerations of the last step.
@@ -54,6 +57,7 @@ class Engine {
   /// [m/s^2]. An empty function adds nothing.
   using AddForce = std::function<void(double time, std::span<double> acceleration)>;
   virtual void set_force(AddForce force) = 0;
+  virtual WhitewaterView whitewater() const = 0;
   virtual std::vector<BodyState> bodies() const = 0;
   /// The present force of the fluid on each wall in the order of Scene::wall_names() [N; N/m in
   /// 2D], 0 on reflecting walls.

@@ -14,6 +14,7 @@
 #include "engine/stepper.h"
 #include "engine/store.h"
 #include "engine/wall_forces_impl.h"
+#include "engine/whitewater.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {
@@ -23,6 +24,7 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
   EngineOf(B backend, std::unique_ptr<Stepper<D, B>> stepper, const EnginePlan& p)
       : stepper_(std::move(stepper)),
         forces_(make_forces<D, B>(p)),
+        whitewater_(make_whitewater<D, B>(p)),
         fluid_(stepper_->fluid()),
         store_(std::move(backend), p, fluid_),
         walls_(store_.walls),
@@ -71,6 +73,8 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
     return solves;
   }
   void flow(double time, double dt) override {
+    if (whitewater_ && dt > 0)
+      whitewater_->step(store_.backend, fluid_, walls_, stepper_->confinement(), gravity_, dt);
     if (!flows_.any()) return;
     const auto pull = [&](int i) { return gravity_ + body_force_.at(fluid_, i, time); };
     const int first = flows_.advance(store_.backend, fluid_, fluid_.kind, time, dt, pull);
@@ -83,6 +87,9 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
     std::iota(gone.begin(), gone.end(), int(n));
     store_.backend.edit("flows", fluid_, gone, int(std::max<std::int64_t>(0, n - before)));
     changed();
+  }
+  void resize_whitewater(std::int64_t n) override {
+    if (whitewater_) whitewater_->resize(store_.backend, n);
   }
   void undo() override {
     store_.backend.restore("save", fluid_);
@@ -153,6 +160,11 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
     gravity_ = vec_of<D>(gravity);
   }
   void set_force(AddForce force) override { body_force_.set_custom(std::move(force)); }
+  WhitewaterView whitewater() const override {
+    WhitewaterView view = whitewater_ ? whitewater_->view() : WhitewaterView{};
+    view.origin = origin_;
+    return view;
+  }
   std::vector<BodyState> bodies() const override {
     return bodies_ ? bodies_->bodies().states() : std::vector<BodyState>();
   }
@@ -212,6 +224,7 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
           StateArray::Role::other);
     stepper_->fields(store_);
     if (forces_) forces_->fields(store_);
+    if (whitewater_) whitewater_->fields(store_);
     flows_.fields([this](const char* name, Keep keep, auto& f) { store_.make(name, keep, f); });
     flows_.numbers([this](const std::string& name, auto* data, std::size_t count) {
       using Number =
@@ -363,6 +376,7 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
 
   std::unique_ptr<Stepper<D, B>> stepper_;
   std::unique_ptr<NonPressureForces<D, B>> forces_;  // null: none
+  std::unique_ptr<Whitewater<D, B>> whitewater_;     // null: none
   FluidParticles<D>& fluid_;                         // the stepper's
   Store<D, B> store_;
   Walls<D>& walls_;

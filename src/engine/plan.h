@@ -78,6 +78,18 @@ struct ForcesPlan {
   }
 };
 
+/// Spray, foam and bubbles: Scene::Whitewater explains the numbers.
+struct WhitewaterPlan {
+  bool active = false;
+  double trapped_air = 0, wave_crest = 0;
+  std::array<double, 2> trapped_limits{}, crest_limits{}, speed_limits{};
+  double life_min = 0, life_max = 0;
+  double buoyancy = 0, rise_speed = 0;
+  double neighbors = 0;  ///< number of neighbours in a resting lattice
+  std::int64_t most = 0;
+  std::uint64_t seed = 0;
+};
+
 /// The input of an engine. SI units. Positions are relative to `origin`, except those of bodies and
 /// body particles, which are the scene's.
 struct EnginePlan {
@@ -146,6 +158,7 @@ struct EnginePlan {
   std::vector<bool> body_no_slip;
 
   ForcesPlan forces;
+  WhitewaterPlan whitewater;
   Sample sample;
 };
 

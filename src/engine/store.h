@@ -76,9 +76,10 @@ template <int D, class B> class Store final : public FieldMaker<D> {
     wall.n = all;
   }
 
+  /// `role`: of the kept fields of a set other than the fluid.
   template <class T>
   void allocate(Particles<D>& set, const char* set_name, const char* name, Keep keep,
-                Field<T>& field) {
+                Field<T>& field, StateArray::Role role = StateArray::Role::fixed) {
     using Role = StateArray::Role;
     const bool fluid = set.set == fluid_.set, kept = keep == Keep::kept;
     const bool shown = fluid && shown_between_steps(name);
@@ -88,7 +89,7 @@ template <int D, class B> class Store final : public FieldMaker<D> {
       state.add(
           std::string(set_name) + "/" + name, [&field] { return field.data; },
           [&set] { return std::int64_t(set.n); },
-          !fluid ? Role::fixed
+          !fluid ? role
           : kept ? Role::kept
                  : Role::other);
   }

@@ -54,8 +54,9 @@ class FrameColumns final : public PointSink {
   }
 
  private:
-  static constexpr const char* names[] = {"x",       "y",        "z",  "vx",   "vy",   "vz",
-                                          "density", "pressure", "id", "step", "time", "liquid"};
+  static constexpr const char* names[] = {"x",    "y",       "z",        "vx", "vy",
+                                          "vz",   "density", "pressure", "id", "step",
+                                          "time", "liquid",  "kind",     "age"};
   int dimension() const { return given_dimension_ ? given_dimension_ : place_[2] < 0 ? 2 : 3; }
   double finite(double value) const {
     if (!(std::abs(value) <= 3e38))  // true for NaN as well
@@ -71,22 +72,32 @@ class FrameColumns final : public PointSink {
 
   Frame frame_;
   int given_dimension_ = 0;
-  std::ptrdiff_t place_[std::size(names)] = {-1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
+  std::ptrdiff_t place_[std::size(names)] = {-1, -1, -1, -1, -1, -1, -1,
+                                             -1, -1, -1, -1, -1, -1, -1};
 };
 
 void FrameColumns::add(const std::vector<double>& values) {
   const auto has = [&](int k) { return place_[k] >= 0; };
   const auto value = [&](int k) { return has(k) ? finite(values[std::size_t(place_[k])]) : 0.0; };
-  const std::size_t i = frame_.size();
-  for (int k = 0; k < dimension(); ++k) {
-    frame_.x.push_back(float(value(k)));
-    frame_.v.push_back(float(value(3 + k)));
-  }
-  frame_.density.push_back(float(value(6)));
-  frame_.pressure.push_back(float(value(7)));
-  frame_.id.push_back(has(8) ? std::uint64_t(whole(value(8))) : i);
   if (has(9)) frame_.step = std::int64_t(whole(value(9)));
   if (has(10)) frame_.time = value(10);
+  const auto add_to = [&](auto& points) {
+    for (int k = 0; k < dimension(); ++k) {
+      points.x.push_back(float(value(k)));
+      points.v.push_back(float(value(3 + k)));
+    }
+    points.id.push_back(has(8) ? std::uint64_t(whole(value(8))) : points.size());
+  };
+  if (has(12)) {  // whitewater
+    add_to(frame_.whitewater);
+    frame_.whitewater.kind.push_back(int(std::min(whole(value(12)), 3.0)));
+    frame_.whitewater.age.push_back(float(value(13)));
+    if (frame_.whitewater.kind.back() > 2) fail("a kind is not 0, 1 or 2; the file is damaged");
+    return;
+  }
+  add_to(frame_);
+  frame_.density.push_back(float(value(6)));
+  frame_.pressure.push_back(float(value(7)));
   if (has(11)) frame_.liquid.push_back(int(std::min(whole(value(11)), 1e9)));
 }
 

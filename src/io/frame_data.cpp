@@ -7,6 +7,7 @@
 #include <bit>
 #include <filesystem>
 #include <limits>
+#include <type_traits>
 
 namespace freshet {
 namespace {
@@ -17,75 +18,89 @@ template <class T> void append(std::string& bytes, T value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-constexpr const char* axes = "xyz";
+constexpr const char* axes[] = {"x", "y", "z"};
+
+/// Calls use(value) for the numbers of point i: 3 of a vector in space, else as many as there are.
+template <class Use>
+void numbers_at(const PointColumn& column, std::size_t i, std::size_t dimension,
+                std::size_t of_vectors, const Use& use) {
+  std::visit(
+      [&](const auto* values) {
+        using T = typename std::remove_cvref_t<decltype(*values)>::value_type;
+        if (!column.vectors) return use((*values)[i]);
+        for (std::size_t k = 0; k < of_vectors; ++k)
+          use(k < dimension ? (*values)[i * dimension + k] : T(0));
+      },
+      column.values);
+}
+
+bool is_id(const PointColumn& column) {
+  return std::holds_alternative<const std::vector<std::uint64_t>*>(column.values);
+}
+
+/// Whether a column has numbers that need more than 32 bits.
+bool is_wide(const PointColumn& column) {
+  const auto* const* values = std::get_if<const std::vector<std::uint64_t>*>(&column.values);
+  return values && std::any_of((*values)->begin(), (*values)->end(), [](std::uint64_t value) {
+           return value > std::numeric_limits<std::uint32_t>::max();
+         });
+}
+
+const char* ply_type(const PointColumn& column) {
+  if (is_id(column)) return is_wide(column) ? "double" : "uint";
+  return std::holds_alternative<const std::vector<float>*>(column.values) ? "float" : "int";
+}
 
 }  // namespace
 
-DataFields::DataFields(const Scene::Output& output) : half(output.precision == Precision::float16) {
-  const auto has = [&](DataField field) {
-    return std::find(output.fields.begin(), output.fields.end(), field) != output.fields.end();
-  };
-  velocity = has(DataField::velocity);
-  density = has(DataField::density);
-  pressure = has(DataField::pressure);
-  id = has(DataField::id);
-}
-
-std::string encode_ply(const Frame& frame, const DataFields& fields) {
-  const std::size_t n = frame.size(), dimension = std::size_t(frame.dimension);
-  const bool wide = n > 0 && *std::max_element(frame.id.begin(), frame.id.end()) >
-                                 std::numeric_limits<std::uint32_t>::max();
+std::string encode_ply(const PointTable& table) {
+  const std::size_t n = table.size(), dimension = std::size_t(table.dimension);
   std::string bytes = fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment time {}\ncomment step {}\n"
       "comment dimension {}\nelement vertex {}\n",
-      frame.time, frame.step, frame.dimension, n);
-  std::string names = "x y z";
-  if (fields.velocity) names += " vx vy vz";
-  if (fields.density) names += " density";
-  if (fields.pressure) names += " pressure";
-  for (std::size_t at = 0, end; at < names.size(); at = end + 1) {
-    end = std::min(names.find(' ', at), names.size());
-    bytes += "property float " + names.substr(at, end - at) + "\n";
-  }
-  if (fields.id) bytes += wide ? "property double id\n" : "property uint id\n";
-  if (!frame.liquid.empty()) bytes += "property int liquid\n";
+      table.time, table.step, table.dimension, n);
+  for (const char* axis : axes) bytes += fmt::format("property float {}\n", axis);
+  for (const PointColumn& column : table.columns)
+    if (column.vectors)
+      for (const char* axis : axes) bytes += fmt::format("property float v{}\n", axis);
+    else bytes += fmt::format("property {} {}\n", ply_type(column), column.name);
   bytes += "end_header\n";
   bytes.reserve(bytes.size() + n * 44);
+  std::vector<bool> wide;
+  for (const PointColumn& column : table.columns) wide.push_back(is_wide(column));
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = 0; k < 3; ++k)
-      append(bytes, k < dimension ? frame.x[i * dimension + k] : 0.0f);
-    for (std::size_t k = 0; k < 3 && fields.velocity; ++k)
-      append(bytes, k < dimension ? frame.v[i * dimension + k] : 0.0f);
-    if (fields.density) append(bytes, frame.density[i]);
-    if (fields.pressure) append(bytes, frame.pressure[i]);
-    if (fields.id && wide) append(bytes, double(frame.id[i]));
-    else if (fields.id) append(bytes, std::uint32_t(frame.id[i]));
-    if (!frame.liquid.empty()) append(bytes, std::int32_t(frame.liquid[i]));
+      append(bytes, k < dimension ? table.x[i * dimension + k] : 0.0f);
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+      numbers_at(table.columns[c], i, dimension, 3, [&](auto value) {
+        if constexpr (!std::is_same_v<decltype(value), std::uint64_t>) append(bytes, value);
+        else if (wide[c]) append(bytes, double(value));
+        else append(bytes, std::uint32_t(value));
+      });
   }
   return bytes;
 }
 
-std::string encode_csv(const Frame& frame, const DataFields& fields) {
-  const std::size_t dimension = std::size_t(frame.dimension);
+std::string encode_csv(const PointTable& table) {
+  const std::size_t dimension = std::size_t(table.dimension);
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "step,time{}", fields.id ? ",id" : "");
+  const auto id = std::find_if(table.columns.begin(), table.columns.end(), is_id);
+  fmt::format_to(out, "step,time{}", id == table.columns.end() ? "" : ",id");
   for (std::size_t k = 0; k < dimension; ++k) fmt::format_to(out, ",{}", axes[k]);
-  for (std::size_t k = 0; k < dimension && fields.velocity; ++k)
-    fmt::format_to(out, ",v{}", axes[k]);
-  fmt::format_to(out, "{}{}{}\n", fields.density ? ",density" : "",
-                 fields.pressure ? ",pressure" : "", frame.liquid.empty() ? "" : ",liquid");
-  const std::string moment = fmt::format("{},{}", frame.step, frame.time);
-  for (std::size_t i = 0; i < frame.size(); ++i) {
+  for (const PointColumn& column : table.columns)
+    if (column.vectors)
+      for (std::size_t k = 0; k < dimension; ++k) fmt::format_to(out, ",v{}", axes[k]);
+    else if (!is_id(column)) fmt::format_to(out, ",{}", column.name);
+  text.push_back('\n');
+  const std::string moment = fmt::format("{},{}", table.step, table.time);
+  const auto add = [&](auto value) { fmt::format_to(out, ",{}", value); };
+  for (std::size_t i = 0; i < table.size(); ++i) {
     text.append(moment);
-    if (fields.id) fmt::format_to(out, ",{}", frame.id[i]);
-    for (std::size_t k = 0; k < dimension; ++k)
-      fmt::format_to(out, ",{}", frame.x[i * dimension + k]);
-    for (std::size_t k = 0; k < dimension && fields.velocity; ++k)
-      fmt::format_to(out, ",{}", frame.v[i * dimension + k]);
-    if (fields.density) fmt::format_to(out, ",{}", frame.density[i]);
-    if (fields.pressure) fmt::format_to(out, ",{}", frame.pressure[i]);
-    if (!frame.liquid.empty()) fmt::format_to(out, ",{}", frame.liquid[i]);
+    if (id != table.columns.end()) numbers_at(*id, i, dimension, dimension, add);
+    for (std::size_t k = 0; k < dimension; ++k) add(table.x[i * dimension + k]);
+    for (const PointColumn& column : table.columns)
+      if (!is_id(column)) numbers_at(column, i, dimension, dimension, add);
     text.push_back('\n');
   }
   return fmt::to_string(text);
@@ -102,11 +117,15 @@ std::string encode_pvd(std::span<const double> times, std::span<const std::strin
   return text + "  </Collection>\n</VTKFile>\n";
 }
 
-std::vector<std::string> data_files(const Scene::Output& output, std::int64_t frames) {
+std::vector<std::string> data_files(const Scene& scene, std::int64_t frames) {
   std::vector<std::string> files;
-  for (const DataFormat format : output.data) {
-    for (std::int64_t k = 0; k < frames; ++k) files.push_back(data_file(format, k));
-    if (format == DataFormat::vtp && frames > 0) files.push_back(pvd_file);
+  const auto add = [&](DataFormat format, auto* name, const char* series) {
+    for (std::int64_t k = 0; k < frames; ++k) files.push_back(name(format, k));
+    if (format == DataFormat::vtp && frames > 0) files.push_back(series);
+  };
+  for (const DataFormat format : scene.output.data) {
+    add(format, &data_file, pvd_file);
+    if (scene.whitewater) add(format, &whitewater_file, whitewater_pvd_file);
   }
   return files;
 }

@@ -56,7 +56,19 @@ Frame frame_in(std::string_view bytes, const fs::path& file, DataFields* stored)
 
 Frame read_frame(const fs::path& file, DataFields* stored) {
   constexpr InputFile data_file{.noun = "data file", .remedy = "name a data file of a run"};
-  return frame_in(read_input(file, data_file), file, stored);
+  Frame frame = frame_in(read_input(file, data_file), file, stored);
+  std::string name = file.filename().string();
+  if (!name.starts_with("frame_")) return frame;
+  const fs::path beside = file.parent_path() / name.replace(0, 5, "whitewater");
+  std::error_code ec;
+  if (!fs::exists(beside, ec)) return frame;
+  Frame with = frame_in(read_input(beside, data_file), beside);
+  if (with.step != frame.step || with.size() > 0)
+    FilePlace(beside.string())
+        .fail(fmt::format("this is not the whitewater of {}; remove it, or run the scene again",
+                          file.filename().string()));
+  frame.whitewater = std::move(with.whitewater);
+  return frame;
 }
 
 }  // namespace freshet

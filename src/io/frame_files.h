@@ -24,7 +24,8 @@ std::string picture_name(const FrameFile& frame);
 /// exists of HDF5, VTP, PLY and CSV. Empty if there are none.
 std::vector<FrameFile> frame_files(const std::filesystem::path& run_folder);
 
-/// Reads a frame from a data file. Missing ids count from 0; other missing fields, the time and the
+/// Reads a frame from a data file, and its whitewater from the file beside it, if there is one:
+/// data/whitewater_0007.vtp. Missing ids count from 0; other missing fields, the time and the
 /// step are 0. Sets `stored` to the fields that the file has. Throws Error (kind scene) if the file
 /// cannot be read, is damaged or of an unknown format.
 Frame read_frame(const std::filesystem::path& file, DataFields* stored = nullptr);

@@ -33,12 +33,15 @@ const FrameFormat& entry_of(DataFormat format) {
 
 std::span<const FrameFormat> frame_formats() { return formats; }
 
-std::string encode_frame(DataFormat format, const Frame& frame, const DataFields& fields) {
-  return entry_of(format).encode(frame, fields);
+std::string encode_points(DataFormat format, const PointTable& table) {
+  return entry_of(format).encode(table);
 }
 
 std::string data_file(DataFormat format, std::int64_t k) {
   return fmt::format("data/frame_{:04}{}", k, entry_of(format).extension);
+}
+std::string whitewater_file(DataFormat format, std::int64_t k) {
+  return fmt::format("data/whitewater_{:04}{}", k, entry_of(format).extension);
 }
 
 }  // namespace freshet

@@ -12,7 +12,7 @@ namespace freshet {
 struct FrameFormat {
   DataFormat format;
   const char* extension;  ///< such as ".vtp"
-  std::string (*encode)(const Frame& frame, const DataFields& fields);
+  std::string (*encode)(const PointTable& table);
   /// Sets `stored` to the fields that the bytes have. Throws Error (kind scene) at `file`.
   Frame (*decode)(std::string_view bytes, const std::string& file, DataFields& stored);
 };

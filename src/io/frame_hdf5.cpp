@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "freshet/error.h"
 #include "freshet/units.h"
@@ -48,30 +49,23 @@ std::vector<float> field(const Hdf5Reader& file, const char* name, std::size_t r
 
 }  // namespace
 
-std::string encode_hdf5(const Frame& frame, const DataFields& fields) {
-  const std::size_t dimension = std::size_t(frame.dimension);
-  const Units units = units_in(frame.dimension);
+std::string encode_hdf5(const PointTable& table) {
   Hdf5Writer file;
-  file.attribute("/", "time", frame.time);
-  file.attribute("/", "step", frame.step);
-  file.attribute("/", "dimension", std::int64_t(frame.dimension));
-  const auto write = [&](const char* name, const std::vector<float>& values, std::size_t columns,
-                         bool half, const char* unit) {
-    file.write(name, values, columns, stored_as(values, half));
-    file.attribute(name, "unit", std::string(unit));
+  file.attribute("/", "time", table.time);
+  file.attribute("/", "step", table.step);
+  file.attribute("/", "dimension", std::int64_t(table.dimension));
+  const auto dimension = std::size_t(table.dimension);
+  const auto write = [&](const PointColumn& column, const auto& values) {
+    using T = typename std::remove_cvref_t<decltype(values)>::value_type;
+    if constexpr (std::is_same_v<T, float>)
+      file.write(column.name, values, column.vectors ? dimension : 1,
+                 stored_as(values, column.half));
+    else file.write(column.name, std::span<const T>(values));
+    file.attribute(column.name, "unit", std::string(column.unit));
   };
-  write("position", frame.x, dimension, false, units.length);
-  if (fields.velocity) write("velocity", frame.v, dimension, fields.half, units.speed);
-  if (fields.density) write("density", frame.density, 1, fields.half, units.density);
-  if (fields.pressure) write("pressure", frame.pressure, 1, fields.half, units.pressure);
-  if (fields.id) {
-    file.write("id", std::span<const std::uint64_t>(frame.id));
-    file.attribute("id", "unit", std::string("1"));
-  }
-  if (!frame.liquid.empty()) {
-    file.write("liquid", std::span<const std::int32_t>(frame.liquid));
-    file.attribute("liquid", "unit", std::string("1"));
-  }
+  write({"position", units_in(table.dimension).length, &table.x, true}, table.x);
+  for (const PointColumn& column : table.columns)
+    std::visit([&](const auto* values) { write(column, *values); }, column.values);
   return file.bytes();
 }
 
@@ -112,6 +106,20 @@ Frame decode_hdf5(std::string_view bytes, const std::string& place, DataFields& 
   if (file.has("id")) {
     file.read("id", frame.id);
     check_list("id", frame.id.size());
+  }
+  if (file.has("kind")) {
+    WhitewaterFrame& w = frame.whitewater;
+    file.read("kind", w.kind);
+    check_list("kind", w.kind.size());
+    w.age = field(file, "age", n, 1, place);
+    if (std::any_of(w.kind.begin(), w.kind.end(), [](int kind) { return kind < 0 || kind > 2; }))
+      fail("a number of \"kind\" is not 0, 1 or 2; the file is damaged");
+    w.id = std::exchange(frame.id, {});
+    w.x = std::exchange(frame.x, {});
+    w.v = std::exchange(frame.v, {});
+    frame.density.clear();
+    frame.pressure.clear();
+    return frame;
   }
   if (file.has("liquid")) {
     file.read("liquid", frame.liquid);

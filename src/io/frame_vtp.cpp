@@ -4,14 +4,18 @@
 
 namespace freshet {
 
-std::string encode_vtp(const Frame& frame, const DataFields& fields) {
-  VtpPoints file(frame.size(), frame.time, frame.step, frame.dimension);
-  if (fields.velocity) file.add_vectors("velocity", frame.v);
-  if (fields.density) file.add("density", frame.density);
-  if (fields.pressure) file.add("pressure", frame.pressure);
-  if (fields.id) file.add("id", frame.id);
-  if (!frame.liquid.empty()) file.add("liquid", frame.liquid);
-  return std::move(file).bytes_at(frame.x);
+std::string encode_vtp(const PointTable& table) {
+  VtpPoints file(table.size(), table.time, table.step, table.dimension);
+  for (const PointColumn& column : table.columns)
+    std::visit(
+        [&](const auto* values) {
+          using Values = std::remove_cvref_t<decltype(*values)>;
+          if constexpr (std::is_same_v<Values, std::vector<float>>)
+            if (column.vectors) return file.add_vectors(column.name, *values);
+          file.add(column.name, *values);
+        },
+        column.values);
+  return std::move(file).bytes_at(table.x);
 }
 
 }  // namespace freshet

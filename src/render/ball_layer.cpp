@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "freshet/whitewater.h"
+#include "render/foam.h"
 #include "render/stage.h"
 #include "scene/sample/point_cloud.h"
 
@@ -52,11 +54,21 @@ BallLayer::BallLayer(const Scene& scene, const Frame& fluid, const Coloring* col
       add(view, {double(x[0]), double(x[1]), double(x[2])}, size, (*colors)(i));
     }
   }
+  add_whitewater(fluid.whitewater, view, float(foam_radius * scene.particles.spacing), !colors);
   add_walls(scene, view, size);
   bands_ = Bands(all_.size(), int(2 * view.middle_y), [&](std::uint32_t k) {
     const Ball& b = all_[k];
     return std::pair{int(b.y - b.radius), int(b.y + b.radius)};
   });
+}
+
+void BallLayer::add_whitewater(const WhitewaterFrame& whitewater, const View& view, float size,
+                               bool bubbles_only) {
+  for (std::size_t i = 0; i < whitewater.size(); ++i) {
+    if (bubbles_only && WhitewaterKind(whitewater.kind[i]) != WhitewaterKind::bubble) continue;
+    const float* x = &whitewater.x[3 * i];
+    add(view, {double(x[0]), double(x[1]), double(x[2])}, size, foam_color);
+  }
 }
 
 void BallLayer::add_walls(const Scene& scene, const View& view, float size) {

@@ -23,8 +23,8 @@ class BallShader {
 /// The visible balls of a picture, in the order of their particles.
 class BallLayer {
  public:
-  /// `view` has samples as its unit of pictures. Balls of walls from point files follow those of
-  /// the fluid. Without `colors`, only the walls have balls.
+  /// `view` has samples as its unit of pictures. Balls of the whitewater and of walls from point
+  /// files follow those of the fluid. Without `colors`, only bubbles and walls have balls.
   BallLayer(const Scene& scene, const Frame& fluid, const Coloring* colors, const View& view);
 
   /// Draws the balls of band k that are nearer than what it shows.
@@ -32,6 +32,8 @@ class BallLayer {
 
  private:
   void add(const View& view, Point p, float size, Color color);
+  void add_whitewater(const WhitewaterFrame& whitewater, const View& view, float size,
+                      bool bubbles_only);
   void add_walls(const Scene& scene, const View& view, float size);
 
   BallShader shade_;

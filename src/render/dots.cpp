@@ -6,6 +6,7 @@
 
 #include "core/rotation.h"
 #include "render/bodies.h"
+#include "render/foam.h"
 #include "scene/model/body_shape.h"
 #include "scene/model/picture_layout.h"
 #include "scene/sample/region_surface.h"
@@ -180,29 +181,36 @@ void add_dots(Image& image, const Scene& scene, const Window& window, const Fram
   }
 }
 
-/// Draws discs with smooth edges. Later particles cover earlier ones.
+/// Covers a disc with smooth edges at a place of the scene [m]; its radius in pixels.
+void cover_disc(Image& image, const Window& window, const float* place, float radius, Color color) {
+  const double x = margin + (double(place[0]) - window.min[0]) * window.scale[0];
+  const double y = image.height - margin - (double(place[1]) - window.min[1]) * window.scale[1];
+  const int reach = int(radius) + 2;
+  if (!(x > -reach && x < image.width + reach && y > -reach && y < image.height + reach)) return;
+  for (int py = int(y) - reach; py <= int(y) + reach; ++py)
+    for (int px = int(x) - reach; px <= int(x) + reach; ++px) {
+      const float dx = float(px + 0.5 - x), dy = float(py + 0.5 - y);
+      const float inside = radius + 0.5f - std::sqrt(dx * dx + dy * dy);
+      if (inside > 0 && image.holds(px, py)) cover(image.at(px, py), color, std::min(1.0f, inside));
+    }
+}
+
+/// Draws discs. Later particles cover earlier ones.
 void cover_with_discs(Image& image, const Scene& scene, const Window& window, const Frame& fluid,
                       const Coloring& colors) {
-  const auto [across, up] = window.scale;
-  const float natural =
-      float(std::max(1.0, disc_girth / 2 * scene.particles.spacing * std::min(across, up)));
+  const double pixels = scene.particles.spacing * std::min(window.scale[0], window.scale[1]);
   const auto given = scene.picture.dot_radius;
-  const float radius = given ? float(*given) : natural;
-  const int reach = int(radius) + 2;
-  for (std::size_t i = 0; i < fluid.size(); ++i) {
-    const double x = margin + (double(fluid.x[2 * i]) - window.min[0]) * across;
-    const double y = image.height - margin - (double(fluid.x[2 * i + 1]) - window.min[1]) * up;
-    if (!(x > -reach && x < image.width + reach && y > -reach && y < image.height + reach))
-      continue;
-    const Color color = colors(i);
-    for (int py = int(y) - reach; py <= int(y) + reach; ++py)
-      for (int px = int(x) - reach; px <= int(x) + reach; ++px) {
-        const float dx = float(px + 0.5 - x), dy = float(py + 0.5 - y);
-        const float inside = radius + 0.5f - std::sqrt(dx * dx + dy * dy);
-        if (inside > 0 && image.holds(px, py))
-          cover(image.at(px, py), color, std::min(1.0f, inside));
-      }
-  }
+  const float radius = given ? float(*given) : float(std::max(1.0, disc_girth / 2 * pixels));
+  for (std::size_t i = 0; i < fluid.size(); ++i)
+    cover_disc(image, window, &fluid.x[2 * i], radius, colors(i));
+}
+
+void draw_whitewater(Image& image, const Scene& scene, const Window& window,
+                     const WhitewaterFrame& whitewater) {
+  const double pixels = scene.particles.spacing * std::min(window.scale[0], window.scale[1]);
+  for (std::size_t i = 0; i < whitewater.size(); ++i)
+    cover_disc(image, window, &whitewater.x[2 * i], float(std::max(0.5, foam_radius * pixels)),
+               foam_color);
 }
 
 }  // namespace
@@ -221,6 +229,7 @@ Image draw_dots(const Scene& scene, const Frame& fluid, const Coloring& colors) 
   draw_walls(view, scene, window);
   if (scene.picture.dots == Dots::glow) add_dots(view, scene, window, fluid, colors);
   else cover_with_discs(view, scene, window, fluid, colors);
+  draw_whitewater(view, scene, window, fluid.whitewater);
   draw_bodies(view, scene, window, fluid);
   draw_frame(view, scene.picture.stretch);
   Image image(layout.width, layout.height, ground_color(scene));

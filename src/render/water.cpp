@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "render/ball_layer.h"
+#include "render/foam.h"
 #include "render/share_out.h"
 #include "render/stage.h"
 #include "render/water_light.h"
@@ -128,6 +129,7 @@ Image draw_water(const Scene& scene, const Frame& fluid, int threads) {
   const Band background = draw_background(scene, fluid, view, ground, threads);
   const WaterMeshes meshes(scene, fluid, view, threads);
   const WaterShader shader(scene, view, background);
+  const FoamLayer foam(fluid.whitewater, scene.particles.spacing, view);
   share_out(band_count(high), threads, [&](int k) {
     Band band = band_of(k, wide, high, ground);
     std::copy_n(&background.depth[background.at(0, band.top)], band.depth.size(),
@@ -136,6 +138,7 @@ Image draw_water(const Scene& scene, const Frame& fluid, int threads) {
     const WaterBand water = meshes.draw(band, k);
     for (int y = band.top; y < band.top + band.rows; ++y)
       for (int x = 0; x < wide; ++x) shader.paint(band, water, x, y);
+    foam.draw(band, water, k);
     resolve(band, image);
   });
   Image whole(layout.width, layout.height, ground);

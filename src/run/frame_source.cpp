@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/frame_source.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace freshet {
@@ -64,6 +65,7 @@ class FrameBetween {
     }
     for (std::size_t k = 0; k < b_.bodies.size(); ++k)
       out_.bodies.push_back(body(a_.bodies[k], b_.bodies[k]));
+    add_whitewater();
     return std::move(out_);
   }
 
@@ -97,6 +99,14 @@ class FrameBetween {
     out_.density.push_back(f.density[i]);
     out_.pressure.push_back(f.pressure[i]);
     if (!f.liquid.empty()) out_.liquid.push_back(f.liquid[i]);
+  }
+  /// The whitewater of the end of the step, moved back.
+  void add_whitewater() {
+    const std::size_t D = axes_.size();
+    WhitewaterFrame& w = out_.whitewater = b_.whitewater;
+    for (std::size_t i = 0; i < w.x.size(); ++i)
+      w.x[i] = float(axes_[i % D].inside(between_.from_end(w.x[i], w.v[i])));
+    for (float& age : w.age) age = float(std::max(0.0, between_.from_end(age, 1)));
   }
   /// The force and the torque are those of the step.
   BodyState body(const BodyState& a, const BodyState& b) const {

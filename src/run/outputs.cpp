@@ -243,7 +243,7 @@ class DataFiles final : public Output {
   explicit DataFiles(const RunSite& site) : site_(site) {}
   const char* name() const override { return "data"; }
   std::vector<std::string> files() const override {
-    return data_files(site_.sim.scene().output, site_.schedule.data_frames());
+    return data_files(site_.sim.scene(), site_.schedule.data_frames());
   }
   bool shows_between(double from, double to) const override {
     return site_.schedule.data().frames_between(from, to);
@@ -261,16 +261,24 @@ class DataFiles final : public Output {
     times.push_back(time);
     site_.tables.flush();  // bodies.csv has the bodies of a data file before the file exists
     site_.background.add([site = site_, times, frame = site_.frames.at(time)] {
-      const Scene::Output& output = site.sim.scene().output;
-      const auto k = std::int64_t(times.size()) - 1;
-      for (const DataFormat format : output.data)
-        site.folder.write_more(data_file(format, k),
-                               encode_frame(format, *frame, DataFields(output)));
-      if (!has_time_series(output)) return;
-      std::vector<std::string> names;
-      for (std::int64_t n = 0; n <= k; ++n) names.push_back(data_file(DataFormat::vtp, n));
-      site.folder.write(pvd_file, encode_pvd(times, names));
+      const Scene& scene = site.sim.scene();
+      write_files(site, times, &data_file, table_of(*frame, DataFields(scene.output)), pvd_file);
+      if (scene.whitewater)
+        write_files(site, times, &whitewater_file, whitewater_table(*frame), whitewater_pvd_file);
     });
+  }
+  /// The last files of a series, which has these times.
+  static void write_files(const RunSite& site, const std::vector<double>& times,
+                          std::string (*file)(DataFormat, std::int64_t), const PointTable& table,
+                          const char* series) {
+    const Scene::Output& output = site.sim.scene().output;
+    const auto k = std::int64_t(times.size()) - 1;
+    for (const DataFormat format : output.data)
+      site.folder.write_more(file(format, k), encode_points(format, table));
+    if (!has_time_series(output)) return;
+    std::vector<std::string> names;
+    for (std::int64_t n = 0; n <= k; ++n) names.push_back(file(DataFormat::vtp, n));
+    site.folder.write(series, encode_pvd(times, names));
   }
   static bool has_time_series(const Scene::Output& output) {
     return std::find(output.data.begin(), output.data.end(), DataFormat::vtp) != output.data.end();

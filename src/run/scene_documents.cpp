@@ -88,13 +88,14 @@ class SchemaWriter final : public Describer {
             {"type", "object"},
             {"additionalProperties", false}};
 
-  void section(std::string_view name, std::string_view text,
+  bool section(std::string_view name, std::string_view text,
                const std::function<void()>& keys) override {
     Json table = object(text);
     Json* const outer = std::exchange(at_, &table);
     keys();
     at_ = outer;
     add(name, table);
+    return true;
   }
   void sections(std::string_view name, std::string_view text,
                 const std::function<void(std::size_t)>& resize,
@@ -169,10 +170,11 @@ class MarkdownWriter final : public Describer {
  public:
   std::string out;
 
-  void section(std::string_view name, std::string_view text,
+  bool section(std::string_view name, std::string_view text,
                const std::function<void()>& keys) override {
     heading(fmt::format("[{}]", name), text);
     keys();
+    return true;
   }
   void sections(std::string_view name, std::string_view text,
                 const std::function<void(std::size_t)>& resize,

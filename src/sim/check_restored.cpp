@@ -50,8 +50,9 @@ void check_inlet(const Checkpoint& c, std::size_t k, const InletClock& clock) {
                                     born, emitted, c.time));
 }
 
-void check_ids(const Checkpoint& c) {
-  const Checkpoint::Array *next = array_of(c, "flows/next_id"), *ids = array_of(c, "fluid/id");
+/// Fails if the next id of a set is not above all of its ids.
+void check_ids(const Checkpoint& c, const char* next_id, const char* ids_of_set) {
+  const Checkpoint::Array *next = array_of(c, next_id), *ids = array_of(c, ids_of_set);
   if (!next || next->count != 1) return;
   const auto end = number_at<std::uint64_t>(*next, 0);
   std::uint64_t least = 0;
@@ -91,7 +92,12 @@ void check_restored(const Checkpoint& c, const Scene& scene) {
     check_inlet(c, k, clock);
   }
   check_indices(c, "fluid/held", held + 1);
-  check_ids(c);
+  check_ids(c, "flows/next_id", "fluid/id");
+  check_indices(c, "whitewater/kind", 3);
+  check_ids(c, "whitewater_clock/next_id", "whitewater/id");
+  if (const auto* elapsed = array_of(c, "whitewater_clock/elapsed"))
+    if (elapsed->count == 1 && !(number_at<double>(*elapsed, 0) >= 0))
+      fail_for_checkpoint("the time since the whitewater was advanced is negative");
   check_counts(c, scene.outlet.size());
   check_origin(c, scene);
 }

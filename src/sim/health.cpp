@@ -274,6 +274,17 @@ void Health::judge_stillness() {
   });
 }
 
+void Health::look_at_whitewater(const WhitewaterView& whitewater) {
+  static constexpr Rule rule{"whitewater", 0, never, false, false};
+  judge(rule, double(whitewater.refused), [&] {
+    return fmt::format(
+        "there is room for {} whitewater particles, and no more are born, {}; make "
+        "whitewater.max_particles larger, or whitewater.trapped_air and whitewater.wave_crest "
+        "smaller",
+        whitewater.size(), when());
+  });
+}
+
 /// The doubt counts the steps in which a solve ended beyond its tolerance.
 void Health::judge_solves(const std::vector<SolveStatistics>& solves,
                           const std::function<TimeStepBounds()>& bounds) {

@@ -46,6 +46,8 @@ class Health {
   void look(const Moment& now, const ParticleView& fluid,
             const std::vector<SolveStatistics>& solves,
             const std::function<TimeStepBounds()>& bounds);
+  /// After a look: warns of whitewater that was not born for lack of room.
+  void look_at_whitewater(const WhitewaterView& whitewater);
   /// A shorter adaptive step is none: a run of such steps would not end [s].
   double least_step() const { return 1e-9 * scene_.time.end; }
   /// The adaptive step, now.dt, fell to that.

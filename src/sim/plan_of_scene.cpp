@@ -197,6 +197,29 @@ template <int D> void plan_forces(const Scene& s, const Derived& d, EnginePlan& 
   for (int side = 0; side < 2 * D; ++side) f.no_walls &= s.periodic(side / 2) || s.is_open(side);
 }
 
+/// Limits that are not set are shares of the maximum speed that the scene lets expect.
+void plan_whitewater(const Scene& s, const Derived& d, EnginePlan& p) {
+  if (!s.whitewater) return;
+  const Scene::Whitewater& from = *s.whitewater;
+  const auto limits = [](const Vector& set, double low, double high) {
+    return set.empty() ? std::array{low, high} : std::array{set[0], set[1]};
+  };
+  WhitewaterPlan& w = p.whitewater;
+  w.active = true;
+  w.trapped_air = from.trapped_air;
+  w.wave_crest = from.wave_crest;
+  w.trapped_limits = limits(from.trapped_air_limits, 0.1 * d.fastest, 0.4 * d.fastest);
+  w.crest_limits = limits(from.wave_crest_limits, 0.2, 0.8);
+  w.speed_limits = limits(from.speed_limits, 0.15 * d.fastest, 0.5 * d.fastest);
+  w.life_min = from.lifetime[0];
+  w.life_max = from.lifetime[1];
+  w.buoyancy = from.buoyancy;
+  w.rise_speed = from.rise_speed;
+  w.neighbors = d.neighbors;
+  w.most = std::int64_t(d.whitewater(s));
+  w.seed = std::uint64_t(from.seed);
+}
+
 /// Makes the positions of a plan relative to its origin.
 void move_to_origin(EnginePlan& p) {
   const Triple origin = p.origin;
@@ -228,6 +251,7 @@ template <int D> void plan_all(const Scene& s, const Derived& d, EnginePlan& p) 
   plan_flows<D>(s, p);
   plan_bodies(s, p);
   plan_forces<D>(s, d, p);
+  plan_whitewater(s, d, p);
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ bool Simulation::finished() const {
   return s.time.adaptive ? impl_->time >= s.time.end * (1 - 1e-12) : impl_->steps >= s.steps();
 }
 ParticleView Simulation::fluid() const { return impl_->fluid(); }
+WhitewaterView Simulation::whitewater() const { return impl_->engine().whitewater(); }
 std::vector<BodyState> Simulation::bodies() const { return impl_->engine().bodies(); }
 const std::vector<VerbTiming>& Simulation::timings() const { return impl_->engine().timings(); }
 
@@ -140,6 +141,8 @@ void Simulation::step() {
   if (Health::due(i.steps) || finished())
     i.health->look({i.steps, i.time, dt}, i.engine().fluid(), i.solves,
                    [&i] { return i.bounds(); });
+  if (i.scene.whitewater && (Health::due(i.steps) || finished()))
+    i.health->look_at_whitewater(whitewater());
   for (const auto& [every, observer] : i.observers)
     if (every.due({i.steps - 1, before, i.time, false})) observer(*this);
 }

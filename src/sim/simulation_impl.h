@@ -56,6 +56,7 @@ struct Simulation::Impl {
   double next_step();
   double advance(double from, double dt, int halvings, double whole);
   void note(const Solves& solves);
+  WhitewaterFrame whitewater_frame() const;
 
   Scene scene;
   Derived derived;

@@ -66,7 +66,7 @@ std::string Simulation::Impl::state_digest(StateArray::Role role) const {
 Frame Simulation::frame() const {
   const ParticleView f = fluid();
   const auto D = std::size_t(f.dimension), n = f.size();
-  Frame out{f.dimension, impl_->steps, impl_->time, {}, {}, {}, {}, {}, {}, bodies()};
+  Frame out{f.dimension, impl_->steps, impl_->time, {}, {}, {}, {}, {}, {}, bodies(), {}};
   out.id.resize(n);
   out.x.resize(D * n);
   out.v.resize(D * n);
@@ -83,6 +83,23 @@ Frame Simulation::frame() const {
     out.density[k] = float(f.density[i]);
     out.pressure[k] = float(f.pressure[i]);
     if (!f.liquid.empty()) out.liquid.push_back(f.liquid[i]);
+  }
+  out.whitewater = impl_->whitewater_frame();
+  return out;
+}
+
+WhitewaterFrame Simulation::Impl::whitewater_frame() const {
+  const WhitewaterView from = engine().whitewater();
+  const auto D = std::size_t(from.dimension);
+  WhitewaterFrame out;
+  for (const std::size_t i : order_by_id(from.id)) {
+    out.id.push_back(from.id[i]);
+    for (std::size_t d = 0; d < D; ++d) {
+      out.x.push_back(float(from.position(i, d)));
+      out.v.push_back(float(from.v[D * i + d]));
+    }
+    out.kind.push_back(from.kind[i]);
+    out.age.push_back(float(double(from.age[i]) + from.elapsed));
   }
   return out;
 }
@@ -127,16 +144,19 @@ Checkpoint Simulation::checkpoint() const {
 /// follows throws, all is as it was.
 class Simulation::Impl::Resized {
  public:
-  explicit Resized(Engine& engine) : engine_(engine), n_(engine.fluid().id.size()) {}
-  void to(std::int64_t n) {
-    if (n == n_) return;
+  explicit Resized(Engine& engine)
+      : engine_(engine), n_(engine.fluid().size()), whitewater_(engine.whitewater().size()) {}
+  void to(std::int64_t n, std::int64_t whitewater) {
+    if (n == n_ && whitewater == whitewater_) return;
     for (const StateArray& a : engine_.state()) before_.emplace_back(a.data, a.data + a.bytes());
-    engine_.resize(n);
+    if (n != n_) engine_.resize(n);
+    engine_.resize_whitewater(whitewater);
   }
   ~Resized() {
     if (before_.empty()) return;
     try {
       engine_.resize(n_);
+      engine_.resize_whitewater(whitewater_);
       std::size_t k = 0;
       for (const StateArray& a : engine_.state()) {
         std::copy(before_[k].begin(), before_[k].end(), a.data);
@@ -149,19 +169,23 @@ class Simulation::Impl::Resized {
 
  private:
   Engine& engine_;
-  std::int64_t n_;
+  std::int64_t n_, whitewater_;
   std::vector<std::vector<std::byte>> before_;
 };
 
 void Simulation::restore(const Checkpoint& c) {
   check_checkpoint(c);
   impl_->end_edit();
-  const auto ids = std::find_if(c.arrays.begin(), c.arrays.end(),
-                                [](const StateArray& a) { return a.name == "fluid/id"; });
+  const auto count = [&](std::string_view name) {
+    const auto ids = std::find_if(c.arrays.begin(), c.arrays.end(),
+                                  [&](const StateArray& a) { return a.name == name; });
+    return ids == c.arrays.end() ? 0 : ids->count;
+  };
   const auto here = std::int64_t(impl_->engine().fluid().size());
   const bool resizes = impl_->scene.has_flows() || impl_->edited || impl_->shown || c.edited;
   Impl::Resized resized(impl_->engine());
-  resized.to(!resizes ? here : ids == c.arrays.end() ? 0 : ids->count);
+  resized.to(resizes ? count("fluid/id") : here,
+             impl_->scene.whitewater ? count("whitewater/id") : 0);
   const auto refuse = [](const std::string& why) {
     throw Error(Error::Kind::scene, "", "this checkpoint is not of this scene: " + why);
   };

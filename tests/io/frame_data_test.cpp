@@ -147,14 +147,19 @@ TEST(EncodePvd, NamesFilesRelativeToItsFolder) {
 }
 
 TEST(DataFiles, AreNamedByFormatAndFrame) {
-  Scene::Output output;
-  output.data = {DataFormat::hdf5, DataFormat::vtp};
+  Scene scene;
+  scene.output.data = {DataFormat::hdf5, DataFormat::vtp};
   EXPECT_EQ(
       (std::vector<std::string>{"data/frame_0000.h5", "data/frame_0001.h5", "data/frame_0000.vtp",
                                 "data/frame_0001.vtp", "data/frames.pvd"}),
-      data_files(output, 2));
-  output.data = {};
-  EXPECT_TRUE(data_files(output, 2).empty());
+      data_files(scene, 2));
+  scene.output.data = {DataFormat::vtp};
+  scene.whitewater.emplace();
+  EXPECT_EQ((std::vector<std::string>{"data/frame_0000.vtp", "data/frames.pvd",
+                                      "data/whitewater_0000.vtp", "data/whitewater.pvd"}),
+            data_files(scene, 1));
+  scene.output.data = {};
+  EXPECT_TRUE(data_files(scene, 2).empty());
   EXPECT_EQ("data/frame_12345.csv", data_file(DataFormat::csv, 12345));
 }
 

@@ -29,7 +29,7 @@ TEST(ReadFrame, ReadsWhatWasWritten) {
       for (const std::uint64_t first : {std::uint64_t(0), std::uint64_t(1) << 40}) {
         SCOPED_TRACE(data_file(format, dimension));
         const Frame f = sample_frame(dimension, 7, first);
-        expect_same(f, frame_in(encode_frame(format, f, {}), data_file(format, 0)));
+        expect_same(f, frame_in(encode_points(format, table_of(f, {})), data_file(format, 0)));
       }
 }
 
@@ -37,7 +37,8 @@ TEST(ReadFrame, ReadsTheLiquidsOfParticles) {
   for (const DataFormat format : formats) {
     Frame f = sample_frame(3, 3);
     f.liquid = {0, 2, 1};
-    EXPECT_EQ(f.liquid, frame_in(encode_frame(format, f, {}), data_file(format, 0)).liquid)
+    EXPECT_EQ(f.liquid,
+              frame_in(encode_points(format, table_of(f, {})), data_file(format, 0)).liquid)
         << data_file(format, 0);
   }
 }
@@ -52,7 +53,7 @@ TEST(ReadFrame, FillsMissingFieldsWithDefaults) {
     bare.v.assign(12, 0);
     bare.density = bare.pressure = {0, 0, 0, 0};
     bare.id = {0, 1, 2, 3};
-    expect_same(bare, frame_in(encode_frame(format, f, few), data_file(format, 0)));
+    expect_same(bare, frame_in(encode_points(format, table_of(f, few)), data_file(format, 0)));
   }
 }
 
@@ -60,13 +61,13 @@ TEST(ReadFrame, ReadsAFrameWithoutParticles) {
   for (const DataFormat format : {DataFormat::vtp, DataFormat::ply, DataFormat::hdf5}) {
     SCOPED_TRACE(data_file(format, 0));
     const Frame f = sample_frame(2, 0);
-    expect_same(f, frame_in(encode_frame(format, f, {}), data_file(format, 0)));
+    expect_same(f, frame_in(encode_points(format, table_of(f, {})), data_file(format, 0)));
   }
 }
 
 TEST(ReadFrame, RejectsTruncatedFiles) {
   for (const DataFormat format : formats) {
-    const std::string whole = encode_frame(format, sample_frame(2, 40), {});
+    const std::string whole = encode_points(format, table_of(sample_frame(2, 40), {}));
     for (std::size_t n = 1; n + 1 < whole.size(); n += 13) {
       if (format == DataFormat::csv && whole[n - 1] == '\n') continue;  // fewer rows, but valid
       EXPECT_THROW(frame_in(whole.substr(0, n), data_file(format, 0)), Error)

@@ -31,7 +31,8 @@ void expect_size(const Frame& frame, DataFormat format, const std::vector<DataFi
   scene.output.data = {format};
   scene.output.fields = fields;
   scene.output.precision = precision;
-  const double size = double(encode_frame(format, frame, DataFields(scene.output)).size());
+  const double size =
+      double(encode_points(format, table_of(frame, DataFields(scene.output))).size());
   EXPECT_NEAR(1, data_bytes(scene, double(frame.size())) / size,
               format == DataFormat::csv ? 0.15 : 0.01)
       << data_file(format, 0) << " of " << frame.size() << " particles in " << frame.dimension

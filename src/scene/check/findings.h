@@ -112,6 +112,7 @@ const Scene::Body* find_body(const Scene& scene, const std::string& name, const 
 
 void check_probes(const Scene& scene, Findings& out);
 void check_picture(const Scene& scene, Findings& out);
+void check_whitewater(const Scene& scene, Findings& out);
 void check_camera(const Scene& scene, Findings& out);
 
 /// Runs that are bound to fail, with `particles` at the start.

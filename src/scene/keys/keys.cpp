@@ -7,6 +7,7 @@
 #include "scene/keys/keys_output.h"
 #include "scene/keys/keys_probes.h"
 #include "scene/keys/keys_solver.h"
+#include "scene/keys/keys_whitewater.h"
 
 namespace freshet {
 
@@ -308,6 +309,7 @@ the choices.
   particles but not the flow.)",
       [&] { solver_keys(v, s.solver); });
   v.section("air", "The air around the liquid.", [&] { air_keys(v, s.air); });
+  whitewater_keys(v, s);
   v.section("walls", R"(The sides of the domain, and the methods of walls.
 
 - `open`: the fluid leaves, and is removed and counted (docs/flows.md).

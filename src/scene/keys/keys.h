@@ -65,7 +65,8 @@ inline constexpr const char* integrator_words[] = {"symplectic_euler", "leapfrog
 class KeyVisitor {
  public:
   virtual ~KeyVisitor() = default;
-  virtual void section(std::string_view name, std::string_view text,
+  /// Returns whether the scene has the section.
+  virtual bool section(std::string_view name, std::string_view text,
                        const std::function<void()>& keys) = 0;
   /// A section that may occur several times: `resize(n)` makes room for n, `keys(k)` visits the
   /// k-th.
@@ -119,6 +120,13 @@ class KeyVisitor {
     word_list(name, places, words, doc);
     value.clear();
     for (const int place : places) value.push_back(static_cast<E>(place));
+  }
+  /// A section that is not there by default.
+  template <class T, class F>
+  void optional_section(std::string_view name, std::string_view text, std::optional<T>& value,
+                        F keys) {
+    T table;
+    if (section(name, text, [&] { keys(table); })) value = table;
   }
   template <class T, class F>
   void tables(std::string_view name, std::string_view text, std::vector<T>& all, F keys) {

@@ -95,17 +95,18 @@ void SceneReader::read_table(const toml::table& table, std::string path, std::st
   scope_ = outer;
 }
 
-void SceneReader::section(std::string_view name, std::string_view,
+bool SceneReader::section(std::string_view name, std::string_view,
                           const std::function<void()>& keys) {
   static const toml::table empty;
   const toml::node* node = take(name, {});
   if (node && !node->is_table()) {
     reject(node->source(), std::string(name),
            fmt::format("{} is {}; it must be a table: [{}]", name, found(*node), name));
-    return;
+    return false;
   }
   const std::string prefix = fmt::format("{}.", name);
   read_table(node ? *node->as_table() : empty, prefix, prefix, keys);
+  return node != nullptr;
 }
 
 void SceneReader::sections(std::string_view name, std::string_view,

@@ -27,7 +27,7 @@ class SceneReader final : public KeyVisitor {
   /// Reports unknown keys at the top level; call it last.
   void finish() { report_unknown(); }
 
-  void section(std::string_view name, std::string_view text,
+  bool section(std::string_view name, std::string_view text,
                const std::function<void()>& keys) override;
   void sections(std::string_view name, std::string_view text,
                 const std::function<void(std::size_t)>& resize,

@@ -150,11 +150,11 @@ DerivedFluid derive_fluid(const Scene& s, const Scene::Fluid& f, std::int64_t pa
 
 /// For the pressure solvers, which have no speed of sound: the flow limits the step, and the
 /// nominal speed of sound is ten times the maximum speed.
-void derive_flow(const Scene& s, double fastest, Derived& d) {
+void derive_flow(const Scene& s, double start, Derived& d) {
   d.density_tolerance = density_tolerance(s);
-  d.sound_speed = 10 * std::max(fastest, std::sqrt(fastest_fall2(s)));
+  d.sound_speed = 10 * d.fastest;
   d.stiffness = square(d.sound_speed);
-  d.flow_step = 0.4 * d.support_radius / 2 / fastest;
+  d.flow_step = 0.4 * d.support_radius / 2 / start;
 }
 
 }  // namespace
@@ -241,6 +241,7 @@ Derived derive(const Scene& scene) {
   derive_steps(s, d);
   double fastest = fastest_start(start, s.dimension());
   for (const DerivedInlet& in : d.inlets) fastest = std::max(fastest, in.speed);
+  d.fastest = std::max(fastest, std::sqrt(fastest_fall2(s)));
   if (s.method().incompressible()) derive_flow(s, fastest, d);
   return d;
 }
