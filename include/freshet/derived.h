@@ -30,13 +30,15 @@ struct Derived {
   double most_particles;  ///< estimated maximum with inlets; at most what the domain has room for
   std::vector<DerivedFluid> fluids;  ///< those of the scene, in its order
   std::vector<DerivedInlet> inlets;
-  std::int64_t outside;            ///< particles that start outside the domain
-  std::int64_t left_out;           ///< lattice sites of fluids that walls exclude
-  std::int64_t wall_particles;     ///< boundary particles and body particles
-  std::int64_t frames;             ///< pictures that a run writes, without result.png
+  std::int64_t outside;                        ///< particles that start outside the domain
+  std::int64_t left_out;                       ///< lattice sites of fluids that walls exclude
+  std::int64_t wall_particles;                 ///< boundary particles and body particles
+  std::int64_t frames;                         ///< pictures that a run writes, without result.png
   std::int64_t picture_width, picture_height;  ///< [px]
-  std::int64_t data_frames;        ///< frames that a run writes as data files
-  double data_bytes;               ///< approximate total size of the data files
+  std::int64_t data_frames;                    ///< frames that a run writes as data files
+  double data_bytes;                           ///< approximate total size of the data files
+  std::int64_t surface_frames;                 ///< frames of which a run writes meshes
+  double surface_bytes;            ///< approximate size of these; all if they are as the first
   double support_radius, spacing;  ///< [m]
   double rest_density;             ///< of the densest liquid [kg/m^3]
   double lightness;                ///< maximum over minimum rest density of the liquids, >= 1

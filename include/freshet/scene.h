@@ -12,6 +12,7 @@
 #include "freshet/error.h"
 #include "freshet/methods.h"
 #include "freshet/solver_method.h"
+#include "freshet/surface_settings.h"
 #include "freshet/time_step.h"
 #include "freshet/vector.h"
 
@@ -241,18 +242,23 @@ struct Scene {
     std::optional<std::int64_t> data_every_steps;  // if neither is set: with the frames
     std::optional<double> data_every;              // [s]
   };
+  /// Meshes of the fluid in 3D.
+  struct Surface : SurfaceMeshFiles {
+    std::optional<std::int64_t> every_steps;  // if neither is set: with the data files
+    std::optional<double> every;              // [s]
+  };
   struct Picture {
     std::optional<std::int64_t> width, height;  // [px]; follow the domain
     bool stretch = false;                       // 2D: fills width and height
-    std::optional<std::int64_t> dot_radius;  // [px]; 2D
-    Dots dots = Dots::solid;                 // 2D
-    PictureStyle style = PictureStyle::balls;  // 3D
-    Vector window;                           // x_min, y_min, x_max, y_max; 2D
+    std::optional<std::int64_t> dot_radius;     // [px]; 2D
+    Dots dots = Dots::solid;                    // 2D
+    PictureStyle style = PictureStyle::balls;   // 3D
+    Vector window;                              // x_min, y_min, x_max, y_max; 2D
     ColorBy color_by = ColorBy::speed;
     std::optional<ColorMap> color_map;  // suits color_by
     Vector color_range;                 // minimum and maximum; by color_scale if empty
     ColorScale color_scale = ColorScale::run;
-    std::string background = "night";   // a name, or "#rrggbb"
+    std::string background = "night";  // a name, or "#rrggbb"
     bool time_stamp = false, scale_bar = false, color_bar = false;
   };
   /// The camera of pictures in 3D. Several cameras are key frames.
@@ -285,6 +291,7 @@ struct Scene {
   Walls walls;
   Time time;
   Output output;
+  std::optional<Surface> surface;  // no meshes if empty
   Picture picture;
   std::vector<Camera> camera;
   Checks checks;
@@ -343,8 +350,8 @@ struct Scene {
 };
 
 /// A key and the value that replaces the scene's. The value is parsed as TOML; if that fails, it is
-/// a string. Without a value, the key or table is removed; it must be in the scene. Diagnostics have
-/// the place "override KEY" or "removal KEY".
+/// a string. Without a value, the key or table is removed; it must be in the scene. Diagnostics
+/// have the place "override KEY" or "removal KEY".
 using Override = std::pair<std::string, std::optional<std::string>>;
 
 /// Loads and checks a scene.

@@ -67,6 +67,11 @@ class KeyVisitor {
   virtual ~KeyVisitor() = default;
   virtual void section(std::string_view name, std::string_view text,
                        const std::function<void()>& keys) = 0;
+  /// A section that means something even if it is empty: `keys` is called if it is set.
+  virtual void section_if_set(std::string_view name, std::string_view text,
+                              const std::function<void()>& keys) {
+    section(name, text, keys);
+  }
   /// A section that may occur several times: `resize(n)` makes room for n, `keys(k)` visits the
   /// k-th.
   virtual void sections(std::string_view name, std::string_view text,
@@ -119,6 +124,11 @@ class KeyVisitor {
     word_list(name, places, words, doc);
     value.clear();
     for (const int place : places) value.push_back(static_cast<E>(place));
+  }
+  template <class T, class F>
+  void optional_table(std::string_view name, std::string_view text, std::optional<T>& table,
+                      F keys) {
+    section_if_set(name, text, [&] { keys(table.emplace()); });
   }
   template <class T, class F>
   void tables(std::string_view name, std::string_view text, std::vector<T>& all, F keys) {

@@ -108,6 +108,12 @@ void SceneReader::section(std::string_view name, std::string_view,
   read_table(node ? *node->as_table() : empty, prefix, prefix, keys);
 }
 
+void SceneReader::section_if_set(std::string_view name, std::string_view text,
+                                 const std::function<void()>& keys) {
+  if (scope_.table->contains(name)) section(name, text, keys);
+  else scope_.known.insert(std::string(name));
+}
+
 void SceneReader::sections(std::string_view name, std::string_view,
                            const std::function<void(std::size_t)>& resize,
                            const std::function<void(std::size_t)>& keys) {

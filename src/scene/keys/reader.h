@@ -29,6 +29,8 @@ class SceneReader final : public KeyVisitor {
 
   void section(std::string_view name, std::string_view text,
                const std::function<void()>& keys) override;
+  void section_if_set(std::string_view name, std::string_view text,
+                      const std::function<void()>& keys) override;
   void sections(std::string_view name, std::string_view text,
                 const std::function<void(std::size_t)>& resize,
                 const std::function<void(std::size_t)>& keys) override;
