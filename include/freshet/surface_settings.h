@@ -55,7 +55,7 @@ template <class Visitor, class Settings> void visit_settings(Visitor& visitor, S
                  "density of the surface, of 1 deep in the fluid; lower is thicker");
   visitor.count("smooth", s.smooth, 0, 100, "smoothing steps; 0 for none");
   visitor.choice("volume", s.volume, surface_volume_names,
-                 "of each connected piece: that of its particles, or as the level has it");
+                 "volume of each connected piece: that of its particles, or that within the level");
   visitor.choice("kernels", s.kernels, surface_kernel_names,
                  "round, or stretched along the surface, which makes it flatter");
   visitor.number("simplify", s.simplify, 0.0, 1.0,
