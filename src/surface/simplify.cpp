@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "surface/mesh_defects.h"
+#include "surface/smoothing.h"
+#include "surface/unfold.h"
 
 #ifdef FRESHET_MESHOPTIMIZER
 #include <meshoptimizer.h>
@@ -101,15 +103,8 @@ std::vector<Triangle> joined(std::vector<Chunk>& chunks, const GridMesh& mesh, d
   }
 }
 
-}  // namespace
-
-std::vector<std::uint32_t> simplify(GridMesh& mesh, double error, const Threads& threads) {
-  std::vector<Chunk> chunks = chunks_of(mesh);
-  threads.parts(int(chunks.size()), [&](int k) {
-    chunks[std::size_t(k)].error = error;
-    simplify_chunk(chunks[std::size_t(k)], mesh);
-  });
-  mesh.triangles = joined(chunks, mesh, error);
+/// Returns the former number of each point that stays.
+std::vector<std::uint32_t> drop_unused_points(GridMesh& mesh) {
   std::vector<bool> used(mesh.points.size(), false);
   for (const Triangle& t : mesh.triangles)
     for (const std::uint32_t c : t) used[c] = true;
@@ -125,6 +120,20 @@ std::vector<std::uint32_t> simplify(GridMesh& mesh, double error, const Threads&
   for (Triangle& t : mesh.triangles)
     for (std::uint32_t& c : t) c = number[c];
   return kept;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> simplify(GridMesh& mesh, double error, const Threads& threads) {
+  const std::vector<GridMesh::Point> normals = area_vectors(mesh);
+  std::vector<Chunk> chunks = chunks_of(mesh);
+  threads.parts(int(chunks.size()), [&](int k) {
+    chunks[std::size_t(k)].error = error;
+    simplify_chunk(chunks[std::size_t(k)], mesh);
+  });
+  mesh.triangles = joined(chunks, mesh, error);
+  unfold(mesh, normals);
+  return drop_unused_points(mesh);
 }
 
 }  // namespace freshet

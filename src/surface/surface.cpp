@@ -177,6 +177,7 @@ SurfaceMesh surface_of(const Frame& frame, double spacing, const std::array<doub
         Point{double(values.step[k].x), double(values.step[k].y), double(values.step[k].z)};
   Smoothing smoothing{std::move(values.fill), std::move(values.normal), s.smooth};
   smooth(mesh, smoothing, team);
+  if (fits) fit_volumes(mesh, pieces, 1 / (s.cell * s.cell * s.cell), farthest_fit / s.cell);
   if (s.simplify > 0) {
     const std::vector<std::uint32_t> kept = simplify(mesh, s.simplify / s.cell, team);
     keep(kept, pieces.of);
@@ -184,7 +185,6 @@ SurfaceMesh surface_of(const Frame& frame, double spacing, const std::array<doub
     keep(kept, smoothing.normal);
     keep(kept, values.velocity);
   }
-  if (fits) fit_volumes(mesh, pieces, 1 / (s.cell * s.cell * s.cell), farthest_fit / s.cell);
   SurfaceMesh out = in_meters(std::move(mesh), grid, smoothing);
   out.velocity = std::move(values.velocity);
   return out;
