@@ -101,6 +101,13 @@ Option Command::option(const char* name, int& value, const std::string& help) co
 Option Command::option(const char* name, std::int64_t& value, const std::string& help) const {
   return Option(add(app_, name, value, help));
 }
+Option Command::choice(const char* name, const std::vector<std::string>& values,
+                       const std::function<void(int)>& set, const std::string& help) const {
+  const auto take = [values, set](const std::string& value) {
+    set(int(std::find(values.begin(), values.end(), value) - values.begin()));
+  };
+  return Option(app_->add_option_function<std::string>(name, take, help)).one_of(values);
+}
 Option Command::flag(const char* name, bool& value, const std::string& help) const {
   return Option(app_->add_flag(name, value, help));
 }

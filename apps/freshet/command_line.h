@@ -57,6 +57,9 @@ class Command {
   Option option(const char* name, double& value, const std::string& help) const;
   Option option(const char* name, int& value, const std::string& help) const;
   Option option(const char* name, std::int64_t& value, const std::string& help) const;
+  /// Calls `set` with the place of the value in `values`.
+  Option choice(const char* name, const std::vector<std::string>& values,
+                const std::function<void(int)>& set, const std::string& help) const;
   Option flag(const char* name, bool& value, const std::string& help) const;
   /// The end of the help text.
   void footer(const std::string& text) const;

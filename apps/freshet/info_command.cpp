@@ -150,13 +150,17 @@ std::string time_step_row(const Scene& s, const Derived& d) {
 }
 
 /// Pictures are at most as large as their pixels.
-std::string disk_row(const Derived& d) {
+std::string disk_row(const Scene& s, const Derived& d) {
   const double pictures = 3.0 * double(d.picture_width * d.picture_height) * double(d.frames + 1);
   std::string text =
       fmt::format("at most {}B for {} frames and the result", short_number(pictures), d.frames);
   if (d.data_frames > 0)
-    text +=
-        fmt::format("; about {}B for the data of {}", short_number(d.data_bytes), d.data_frames);
+    text += fmt::format("; about {}B for the data of {}{}", short_number(d.data_bytes),
+                        d.data_frames, s.whitewater ? ", whitewater not counted" : "");
+  if (d.surface_frames > 0)
+    text += fmt::format("; {} {}B for the surfaces of {}, if their area stays",
+                        s.surface->settings.simplify > 0 ? "at most" : "about",
+                        short_number(d.surface_bytes), d.surface_frames);
   return text;
 }
 
@@ -203,9 +207,8 @@ void info(const SceneArguments& a) {
                               duration(likely_seconds(d, cost, steps)), 1e3 * cost.seconds_per_step,
                               d.inlets.empty() ? "" : "; more with inlets"));
   row("memory", fmt::format("{}B", short_number(peak_memory())));
-  row("disk",
-      disk_row(d) + (s.whitewater && d.data_frames > 0 ? " without whitewater" : "") +
-          fmt::format("; {}B for two checkpoints", short_number(2 * cost.checkpoint_bytes)));
+  row("disk", disk_row(s, d) + fmt::format("; {}B for two checkpoints",
+                                           short_number(2 * cost.checkpoint_bytes)));
   print_diagnostics(scene_warnings(s));
 }
 

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "command.h"
 #include "interrupts.h"
 #include "print.h"
@@ -13,11 +11,8 @@
 namespace freshet::cli {
 namespace {
 
-const std::vector<std::string> formats{"ply", "obj", "vtp",
-                                       "glb"};  // in the order of SurfaceFormat
-
 struct SurfaceArguments {
-  std::string run, output, format = "ply";
+  std::string run, output;
   SurfaceOptions options;
   std::int64_t to = -1;
   bool quiet = false;
@@ -27,8 +22,6 @@ int make(const SurfaceArguments& a) {
   SurfaceOptions options = a.options;
   options.run = a.run;
   options.output = a.output;
-  options.format =
-      SurfaceFormat(std::find(formats.begin(), formats.end(), a.format) - formats.begin());
   if (a.to >= 0) options.to = a.to;
   const Count count(a.quiet, "frames");
   options.after_surface = count;
@@ -42,19 +35,30 @@ int make(const SurfaceArguments& a) {
   return r.interrupted ? interrupted : done;
 }
 
-void add_settings(const Command& surface, SurfaceSettings& s) {
-  surface.option("--cell", s.cell, "edge of a grid cell in particle spacings (default: 0.5)")
-      .range(0.1, 2.0);
-  surface
-      .option("--radius", s.radius,
-              "reach of a particle in particle spacings; larger is rounder (default: 2)")
-      .range(1.0, 6.0);
-  surface
-      .option("--level", s.level,
-              "density of the surface, of 1 deep in the fluid; lower is thicker (default: 0.6)")
-      .range(0.05, 0.95);
-  surface.option("--smooth", s.smooth, "smoothing steps; 0 for none (default: 10)").range(0, 100);
-}
+/// The settings of surfaces as options.
+struct SettingOptions {
+  const Command& command;
+  void number(const std::string& name, double& value, double low, double high, const char* text) {
+    add(name, value, fmt::format("{} (default: {:g})", text, value)).range(low, high);
+  }
+  void count(const std::string& name, int& value, int low, int high, const char* text) {
+    add(name, value, fmt::format("{} (default: {})", text, value)).range(low, high);
+  }
+  template <class E, std::size_t n>
+  void choice(const std::string& name, E& value, const char* const (&names)[n], const char* text) {
+    command.choice(("--" + name).c_str(), {names, names + n},
+                   [&value](int chosen) { value = E(chosen); },
+                   fmt::format("{} (default: {})", text, names[int(value)]));
+  }
+  void flag(const std::string& name, bool& value, const char* text) {
+    command.flag(("--" + name).c_str(), value, text);
+  }
+
+ private:
+  template <class T> Option add(const std::string& name, T& value, const std::string& help) {
+    return command.option(("--" + name).c_str(), value, help);
+  }
+};
 
 }  // namespace
 
@@ -63,7 +67,6 @@ void add_surface(Program& program) {
   const Command surface =
       program.add("surface", "Make closed meshes of the fluid of a finished run in 3D");
   surface.option("DIR", a->run, "the folder of a run").required();
-  surface.option("--format", a->format, "format of the meshes (default: ply)").one_of(formats);
   surface.option("--output", a->output, "the folder of the surfaces (default: DIR/surface)")
       .value("FOLDER");
   surface.flag("--overwrite", a->options.overwrite, "replace existing surfaces");
@@ -73,8 +76,8 @@ void add_surface(Program& program) {
   surface.option("--every", a->options.every, "take every N-th data file (default: 1)")
       .value("N")
       .at_least(1);
-  surface.flag("--phases", a->options.phases, "a mesh for each liquid instead of one for all");
-  add_settings(surface, a->options.settings);
+  SettingOptions settings{surface};
+  visit_files(settings, a->options);
   surface.option("--threads", a->options.threads, "threads (default: all)").at_least(1);
   surface.flag("--quiet", a->quiet, "print nothing but errors");
   surface.footer(

@@ -38,9 +38,11 @@ struct Derived {
   std::int64_t picture_width, picture_height;  ///< [px]
   std::int64_t data_frames;                    ///< frames that a run writes as data files
   double data_bytes;                           ///< approximate total size of the data files
-  double support_radius, spacing;              ///< [m]
-  double rest_density;                         ///< of the densest liquid [kg/m^3]
-  double lightness;       ///< maximum over minimum rest density of the liquids, >= 1
+  std::int64_t surface_frames;                 ///< frames of which a run writes meshes
+  double surface_bytes;            ///< approximate size of these; all if they are as the first
+  double support_radius, spacing;  ///< [m]
+  double rest_density;             ///< of the densest liquid [kg/m^3]
+  double lightness;                ///< maximum over minimum rest density of the liquids, >= 1
   double viscosity;       ///< maximum kinematic viscosity of the liquids times rest_density [Pa s]
   double mass;            ///< rest_density · spacing^D, or particles.mass [kg; kg/m in 2D]
   double lattice_sum;     ///< divisor of density sums; 1 where particles.mass is set

@@ -42,7 +42,7 @@ Report run(const Scene& scene, const RunOptions& options);
 
 struct ResumeOptions {
   std::filesystem::path folder;  ///< of a run that was interrupted or killed, or that is extended
-  std::vector<Override> overrides;  ///< of time.end, output, picture, camera and checks
+  std::vector<Override> overrides;  ///< of time.end, output, surface, picture, camera and checks
   std::vector<std::string> command;
   Execution execution;
   AfterStep after_step;
@@ -52,8 +52,8 @@ struct ResumeOptions {
   std::filesystem::path video = {};
 };
 
-/// Resumes a run from its newest valid checkpoint, its video included. The result has the same bits and the same files
-/// as an uninterrupted run.
+/// Resumes a run from its newest valid checkpoint, its video included. The result has the same bits
+/// and the same files as an uninterrupted run.
 ///
 /// The scene is that of scene.toml in the folder, with the overrides.
 ///

@@ -12,6 +12,7 @@
 #include "freshet/error.h"
 #include "freshet/methods.h"
 #include "freshet/solver_method.h"
+#include "freshet/surface_settings.h"
 #include "freshet/time_step.h"
 #include "freshet/vector.h"
 
@@ -250,6 +251,11 @@ struct Scene {
     std::optional<std::int64_t> data_every_steps;  // if neither is set: with the frames
     std::optional<double> data_every;              // [s]
   };
+  /// Meshes of the fluid in 3D.
+  struct Surface : SurfaceMeshFiles {
+    std::optional<std::int64_t> every_steps;  // if neither is set: with the data files
+    std::optional<double> every;              // [s]
+  };
   struct Picture {
     std::optional<std::int64_t> width, height;  // [px]; follow the domain
     bool stretch = false;                       // 2D: fills width and height
@@ -295,6 +301,7 @@ struct Scene {
   Walls walls;
   Time time;
   Output output;
+  std::optional<Surface> surface;  // no meshes if empty
   Picture picture;
   std::vector<Camera> camera;
   Checks checks;

@@ -10,6 +10,7 @@
 
 #include "freshet/error.h"
 #include "freshet/frame.h"
+#include "freshet/surface_settings.h"
 
 namespace freshet {
 
@@ -27,16 +28,8 @@ struct SurfaceMesh {
 double volume_of(const SurfaceMesh& mesh);
 double area_of(const SurfaceMesh& mesh);
 
-/// How a surface is computed. Lengths are in particle spacings.
-struct SurfaceSettings {
-  double cell = 0.5;   ///< edge length of a grid cell, 0.1 to 2 and at most half of `radius`
-  double radius = 2;   ///< support radius of the density field, 1 to 6
-  double level = 0.6;  ///< of the density field, 0.05 to 0.95: 1 deep in the fluid and at the
-                       ///< centre of a lone particle
-  int smooth = 10;     ///< smoothing steps, 0 to 100
-};
-
-/// Throws Error (kind scene) at "option NAME VALUE" if a setting is out of range or not finite.
+/// Throws Error (kind scene) at "option NAME VALUE" if a setting is out of range or not finite, or
+/// if this build lacks what it needs.
 void check_surface_settings(const SurfaceSettings& settings);
 
 /// The surface of the particles of a frame in 3D. Deterministic: it has the same bits for any
@@ -51,15 +44,11 @@ void check_surface_settings(const SurfaceSettings& settings);
 SurfaceMesh surface_of(const Frame& frame, double spacing, const std::array<double, 3>& origin,
                        const SurfaceSettings& settings = {}, int threads = 0);
 
-enum class SurfaceFormat { ply, obj, vtp, glb };
-
-struct SurfaceOptions {
+/// What make_surfaces() makes of which run.
+struct SurfaceOptions : SurfaceMeshFiles {
   std::filesystem::path run;     ///< the folder of a run, with its data/
   std::filesystem::path output;  ///< folder of the surfaces; RUN/surface if empty
   bool overwrite = false;        ///< replace existing surfaces
-  SurfaceFormat format = SurfaceFormat::ply;
-  SurfaceSettings settings;
-  bool phases = false;  ///< a surface for each liquid instead of one for all
   /// The numbers of the data files: from, from + every, ... up to `to`.
   std::int64_t from = 0, every = 1;
   std::optional<std::int64_t> to;  ///< the last one if empty
@@ -82,8 +71,8 @@ struct SurfaceReport {
 /// without particles gives a mesh without triangles. For VTP, surfaces.pvd holds the times.
 ///
 /// Throws Error (kind scene) if the folder holds no run or no data, the run is in 2D, no data file
-/// has a chosen number, a surface exists (unless `overwrite`), a data file is damaged or a setting
-/// is out of range. Throws Error (kind run) if a file cannot be written.
+/// has a chosen number, a surface exists (unless `overwrite`) or is the run's own, a data file is
+/// damaged or a setting is out of range. Throws Error (kind run) if a file cannot be written.
 SurfaceReport make_surfaces(const SurfaceOptions& options);
 
 }  // namespace freshet

@@ -13,7 +13,8 @@ namespace {
 constexpr int lid = 3;               // the upper side: drops that touch it stay round
 constexpr double infinite = 1e30;    // [m]
 constexpr double image_reach = 3.5;  // of mirror images, in particle spacings
-constexpr SurfaceSettings rounded{.cell = 0.5, .radius = 2.5, .level = 0.55, .smooth = 20};
+constexpr SurfaceSettings rounded{
+    .cell = 0.5, .radius = 2.5, .level = 0.55, .smooth = 20, .volume = SurfaceVolume::level};
 
 /// The particles of a frame within the domain, enlarged by its size on each side.
 Frame near_part(const Scene& scene, const Frame& frame) {

@@ -12,6 +12,7 @@
 #include "run/observables.h"
 #include "run/output.h"
 #include "run/percentile_table.h"
+#include "run/surface_output.h"
 #include "run/video_output.h"
 #include "scene/model/body_mesh.h"
 #include "scene/model/body_shape.h"
@@ -297,6 +298,7 @@ std::vector<std::unique_ptr<Output>> outputs_of(const RunSite& site) {
   all.push_back(std::make_unique<PercentileTable>(site));
   all.push_back(std::make_unique<Pictures>(site));
   if (!scene.output.data.empty()) all.push_back(std::make_unique<DataFiles>(site));
+  if (scene.surface) all.push_back(std::make_unique<SurfaceOutput>(site));
   if (const auto& video = site.record.video)
     all.push_back(std::make_unique<VideoOutput>(site, *video));
   return all;

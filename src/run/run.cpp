@@ -173,10 +173,11 @@ Report run(const Scene& scene, const RunOptions& options) {
 Report resume(const ResumeOptions& options) {
   for (const Override& change : options.overrides)
     if (steps_depend_on(change.first) && steps_depend_on(change.first + "."))
-      throw Error(Error::Kind::scene, place_of(change),
-                  "this changes what has been simulated; a resumed run can change time.end and the "
-                  "keys of output, picture, camera and checks; for another simulation, run its "
-                  "scene.toml with this change");
+      throw Error(
+          Error::Kind::scene, place_of(change),
+          "this changes what has been simulated; a resumed run can change time.end and the "
+          "keys of output, surface, picture, camera and checks; for another simulation, run its "
+          "scene.toml with this change");
   std::error_code ec;
   if (!fs::is_directory(options.folder, ec))
     throw Error(Error::Kind::scene, options.folder.string(),

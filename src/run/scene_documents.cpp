@@ -88,14 +88,13 @@ class SchemaWriter final : public Describer {
             {"type", "object"},
             {"additionalProperties", false}};
 
-  bool section(std::string_view name, std::string_view text,
+  void section(std::string_view name, std::string_view text,
                const std::function<void()>& keys) override {
     Json table = object(text);
     Json* const outer = std::exchange(at_, &table);
     keys();
     at_ = outer;
     add(name, table);
-    return true;
   }
   void sections(std::string_view name, std::string_view text,
                 const std::function<void(std::size_t)>& resize,
@@ -170,11 +169,10 @@ class MarkdownWriter final : public Describer {
  public:
   std::string out;
 
-  bool section(std::string_view name, std::string_view text,
+  void section(std::string_view name, std::string_view text,
                const std::function<void()>& keys) override {
     heading(fmt::format("[{}]", name), text);
     keys();
-    return true;
   }
   void sections(std::string_view name, std::string_view text,
                 const std::function<void(std::size_t)>& resize,

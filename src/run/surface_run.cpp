@@ -7,13 +7,11 @@
 #include "freshet/scene.h"
 #include "freshet/simulation.h"
 #include "freshet/surface.h"
-#include "io/frame_data.h"
 #include "io/frame_files.h"
-#include "io/surface_files.h"
 #include "run/frame_gaps.h"
 #include "run/frame_surface.h"
 #include "run/result_folder.h"
-#include "surface/liquid_part.h"
+#include "run/surface_series.h"
 
 namespace freshet {
 namespace {
@@ -53,58 +51,11 @@ std::vector<FrameFile> chosen_frames(const SurfaceOptions& options) {
   return chosen;
 }
 
-/// Makes the surfaces of frames, one at a time.
-class SurfaceSeries {
- public:
-  SurfaceSeries(const SurfaceOptions& options, const Scene& scene,
-                const std::vector<FrameFile>& frames)
-      : options_(options),
-        scene_(scene),
-        liquids_(options.phases ? int(scene.liquids().size()) : 1),
-        folder_(options.run, options.output, "surface") {
-    std::vector<std::string> names;
-    for (const FrameFile& frame : frames)
-      for (int liquid = 0; liquid < liquids_; ++liquid) names.push_back(name(frame, liquid));
-    for (int liquid = 0; liquid < liquids_ && has_times(); ++liquid)
-      names.push_back(times_name(liquid));
-    if (!options.overwrite) folder_.refuse_existing(names, "surfaces");
-  }
-
-  void add(const FrameFile& file, SurfaceReport& report) {
-    const Frame frame = read_frame(file.path);
-    times_.push_back(frame.time);
-    for (int liquid = 0; liquid < liquids_; ++liquid) {
-      const SurfaceMesh mesh =
-          surface_of_frame(scene_, options_.phases ? liquid_part(frame, liquid) : frame, file.path,
-                           options_.settings, options_.threads);
-      const std::string bytes = encode_surface(options_.format, mesh, {frame.time, frame.step});
-      report.files.push_back(folder_.write(name(file, liquid), bytes));
-    }
-  }
-  /// Writes the times of the surfaces for ParaView.
-  void finish(const std::vector<FrameFile>& frames) const {
-    for (int liquid = 0; liquid < liquids_ && has_times(); ++liquid) {
-      std::vector<std::string> names;
-      for (const FrameFile& frame : frames) names.push_back(name(frame, liquid));
-      folder_.write(times_name(liquid), encode_pvd(times_, names));
-    }
-  }
-
- private:
-  std::string name(const FrameFile& frame, int liquid) const {
-    const std::string phase = options_.phases ? fmt::format("liquid{}_", liquid) : "";
-    return fmt::format("surface_{}{:04}{}", phase, frame.number, extension_of(options_.format));
-  }
-  bool has_times() const { return options_.format == SurfaceFormat::vtp; }
-  std::string times_name(int liquid) const {
-    return options_.phases ? fmt::format("surfaces_liquid{}.pvd", liquid) : "surfaces.pvd";
-  }
-  const SurfaceOptions& options_;
-  const Scene& scene_;
-  int liquids_;
-  ResultFolder folder_;
-  std::vector<double> times_;
-};
+std::vector<std::int64_t> numbers_of(const std::vector<FrameFile>& frames) {
+  std::vector<std::int64_t> numbers;
+  for (const FrameFile& frame : frames) numbers.push_back(frame.number);
+  return numbers;
+}
 
 }  // namespace
 
@@ -117,13 +68,28 @@ SurfaceReport make_surfaces(const SurfaceOptions& options) {
                                 options.from, options.every);
       options.warn && !gaps.empty())
     options.warn(gaps);
-  SurfaceSeries surfaces(options, scene, frames);
+  const SurfaceNames names(options, scene);
+  if (scene.surface && options.output.empty())
+    throw Error(Error::Kind::scene, (options.run / "surface").string(),
+                "the run itself wrote these surfaces; choose another `output`", {"output"});
+  const ResultFolder folder(options.run, options.output, "surface");
+  if (!options.overwrite) folder.refuse_existing(names.all(numbers_of(frames)), "surfaces");
   SurfaceReport report;
+  std::vector<double> times;
   for (std::size_t k = 0; k < frames.size() && !report.interrupted; ++k) {
-    surfaces.add(frames[k], report);
+    const Frame frame = read_frame(frames[k].path);
+    times.push_back(frame.time);
+    write_surfaces(scene, options, {frame, frames[k].number, frames[k].path.string()},
+                   options.threads, [&](const std::string& name, const std::string& bytes) {
+                     report.files.push_back(folder.write(name, bytes));
+                   });
     report.interrupted = options.after_surface && !options.after_surface(k + 1, frames.size());
   }
-  surfaces.finish(frames);
+  std::vector<std::int64_t> numbers = numbers_of(frames);
+  numbers.resize(times.size());
+  write_surface_times(
+      names, times, numbers,
+      [&](const std::string& name, const std::string& bytes) { folder.write(name, bytes); });
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

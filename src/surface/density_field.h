@@ -5,11 +5,11 @@
 #include <unordered_map>
 #include <vector>
 
-#include "surface/particle_bins.h"
+#include "surface/kernels.h"
 
 namespace freshet {
 
-/// Σ_j volume_j w(|x - x_j|) at the grid points of the blocks near particles: 0 far from them,
+/// Σ_j volume_j w_j(x - x_j) at the grid points of the blocks near particles: 0 far from them,
 /// about 1 deep in the fluid. Each value is one sum in the order of ParticleBins, so it does not
 /// depend on threads.
 class DensityField {
@@ -17,7 +17,7 @@ class DensityField {
   using Values = std::array<float, block_points>;
   enum class Side : signed char { below, mixed, above };  ///< of a level, all values of a block
 
-  DensityField(const ParticleBins& bins, const std::vector<float>& volumes, const Threads& threads);
+  DensityField(const ParticleBins& bins, const Kernels& kernels, const Threads& threads);
 
   int blocks() const { return int(keys_.size()); }
   Place place(int block) const { return place_of(keys_[std::size_t(block)]); }

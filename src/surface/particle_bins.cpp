@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "surface/spline.h"
-
 namespace freshet {
 
 void Nearby::clear() {
@@ -63,45 +61,6 @@ void ParticleBins::collect(Place low, int count, Nearby& out) const {
         }
       }
     }
-}
-
-namespace {
-
-/// Σ w(|x - x_j|) over collected particles. The eight partial sums let the compiler use SIMD; they
-/// are added in a fixed order, so the bits do not depend on the instruction set.
-float sum_of_splines(const Nearby& all, Vec<3, float> x, Spline spline) {
-  constexpr int lanes = 8;
-  float partial[lanes] = {};
-  const std::size_t whole = all.size() / lanes * lanes;
-  const auto term = [&](std::size_t j) {
-    const float dx = all.x[j] - x.x, dy = all.y[j] - x.y, dz = all.z[j] - x.z;
-    return spline(dx * dx + dy * dy + dz * dz);
-  };
-  for (std::size_t j = 0; j < whole; j += lanes)
-    for (std::size_t lane = 0; lane < lanes; ++lane) partial[lane] += term(j + lane);
-  for (std::size_t j = whole; j < all.size(); ++j) partial[j - whole] += term(j);
-  float sum = 0;
-  for (const float part : partial) sum += part;
-  return sum;
-}
-
-}  // namespace
-
-std::vector<float> particle_volumes(const ParticleBins& bins, const Threads& threads) {
-  constexpr int chunk = 64;
-  std::vector<float> volumes(bins.size());
-  const Spline spline(bins.support());
-  const int n = int(bins.bins().size());
-  threads.parts((n + chunk - 1) / chunk, [&](int part) {
-    Nearby nearby;
-    for (int b = part * chunk; b < std::min(n, (part + 1) * chunk); ++b) {
-      const ParticleBins::Bin& bin = bins.bins()[std::size_t(b)];
-      bins.collect(place_of(bin.key), 1, nearby);
-      for (int k = bin.first; k < bin.end; ++k)
-        volumes[std::size_t(k)] = 1 / sum_of_splines(nearby, bins.offset(k), spline);
-    }
-  });
-  return volumes;
 }
 
 }  // namespace freshet

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "backend/cpu/threads.h"
 #include "core/vec.h"
 #include "surface/lattice.h"
 
@@ -48,10 +47,5 @@ class ParticleBins {
   std::vector<int> frame_index_;
   std::vector<Vec<3, float>> offset_;
 };
-
-/// The inverse of each particle's sum of splines over its neighbours, itself included: its volume
-/// in units that make a lone particle's 1 [Solenthaler and Pajarola 2008, number density]. Weighted
-/// by it, particles fill their surroundings evenly whether they are dense or sparse.
-std::vector<float> particle_volumes(const ParticleBins& bins, const Threads& threads);
 
 }  // namespace freshet

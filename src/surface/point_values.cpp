@@ -16,7 +16,7 @@ constexpr float droplet_level = 0.87f;
 /// Computes the values of points, bin by bin.
 class BinValues {
  public:
-  explicit BinValues(const SurfaceField& field) : field_(field), spline_(field.bins.support()) {}
+  explicit BinValues(const SurfaceField& field) : field_(field), spline_(field.kernels.radius) {}
 
   void place(Place bin) {
     bin_ = bin;
@@ -30,19 +30,30 @@ class BinValues {
 
   void add(GridMesh::Point p, std::size_t k, PointValues& out) const {
     const Vec<3, float> at{float(p.x - low_.x), float(p.y - low_.y), float(p.z - low_.z)};
-    const float support2 = field_.bins.support() * field_.bins.support();
+    const float radius2 = field_.kernels.radius * field_.kernels.radius;
     float crowd = 0, density = 0;
     Vec<3, float> momentum{0, 0, 0}, gradient{0, 0, 0};
     for (std::size_t j = 0; j < nearby_.size(); ++j) {
       const Vec<3, float> from = at - Vec<3, float>{nearby_.x[j], nearby_.y[j], nearby_.z[j]};
       const float r2 = norm2(from);
-      if (r2 >= support2) continue;
       const int particle = nearby_.particle[j];
-      const float volume = field_.volumes[std::size_t(particle)], w = spline_(r2);
-      crowd += w;
+      if (const float reach = field_.kernels.reach(particle); r2 >= reach * reach) continue;
+      const float volume = field_.kernels.volume[std::size_t(particle)], round = spline_(r2);
+      if (r2 < radius2) crowd += round;
+      float w = round;
+      Vec<3, float> slope = from;
+      float s2 = r2;
+      if (!field_.kernels.is_round(particle)) {
+        const Symmetric3& shrink = field_.kernels.shape[std::size_t(particle)].shrink;
+        const Vec<3, float> inner = shrink * from;
+        s2 = norm2(inner);
+        w = spline_(s2);
+        slope = shrink * inner;
+      }
+      if (s2 >= radius2) continue;
       density += volume * w;
       momentum += volume * w * velocity_of(particle);
-      gradient += volume * spline_.slope(r2) * from;
+      gradient += volume * spline_.slope(s2) * slope;
     }
     const float fill = fill_of(crowd), empty = 1 - fill;
     const float level = field_.level * (1 - (1 - droplet_level) * empty * empty);

@@ -26,7 +26,7 @@ struct PointValues {
 /// The field that a mesh is the surface of.
 struct SurfaceField {
   const ParticleBins& bins;
-  const std::vector<float>& volumes;   ///< of particle_volumes()
+  const Kernels& kernels;
   const std::vector<float>& velocity;  ///< three numbers per particle of the frame, or empty
   float level;                         ///< of the mesh
   float deep;                          ///< sum of splines deep in the liquid

@@ -7,7 +7,10 @@
 #include <cmath>
 
 #include "freshet/simulation.h"
+#include "surface/anisotropy.h"
+#include "surface/pieces.h"
 #include "surface/point_values.h"
+#include "surface/simplify.h"
 #include "surface/smoothing.h"
 
 namespace freshet {
@@ -15,15 +18,24 @@ namespace {
 
 using Point = GridMesh::Point;
 
+constexpr double farthest_fit = 0.1;  // [spacings]; errors of density and level are smaller
+
 [[noreturn]] void fail(const std::string& message, std::vector<std::string> options = {}) {
   throw Error(Error::Kind::scene, "", message, std::move(options));
 }
 
-void check(const char* name, double value, double low, double high) {
-  if (!(value >= low && value <= high))  // true for NaN as well
-    throw Error(Error::Kind::scene, fmt::format("option {} {}", name, value),
-                fmt::format("it must be from {:g} to {:g}", low, high));
-}
+/// Checks the ranges of settings.
+struct RangeCheck {
+  void number(const char* name, double value, double low, double high, const char*) {
+    if (!(value >= low && value <= high))  // true for NaN as well
+      throw Error(Error::Kind::scene, fmt::format("option {} {}", name, value),
+                  fmt::format("it must be from {:g} to {:g}", low, high));
+  }
+  void count(const char* name, int value, int low, int high, const char* text) {
+    number(name, value, low, high, text);
+  }
+  template <class E, class Names> void choice(const char*, E, const Names&, const char*) {}
+};
 
 /// A frame's place in space and the size of its grid.
 struct Grid {
@@ -59,6 +71,35 @@ std::vector<Point> positions_of(const Frame& frame, const Grid& grid) {
   return positions;
 }
 
+/// Particles and their kernels.
+struct Particles {
+  ParticleBins bins;
+  Kernels kernels;
+};
+
+Particles particles_of(std::vector<Point> positions, const SurfaceSettings& s,
+                       const Threads& threads) {
+  const float radius = float(s.radius / s.cell), spacing = float(1 / s.cell);
+  const FilmModel films(radius, spacing);
+  if (s.kernels == SurfaceKernels::isotropic) {
+    ParticleBins bins(positions, radius);
+    Kernels kernels = kernels_of(bins, radius, {}, films, threads);
+    return {std::move(bins), std::move(kernels)};
+  }
+  const Anisotropy anisotropy =
+      anisotropy_of(ParticleBins(positions, shape_reach * radius), radius, spacing, threads);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Vec<3, float> shift = anisotropy.shift[i];
+    positions[i] += Point{double(shift.x), double(shift.y), double(shift.z)};
+  }
+  ParticleBins bins(positions, longest_stretch * radius);
+  std::vector<KernelShape> shapes;
+  for (int k = 0; k < int(bins.size()); ++k)
+    shapes.push_back(anisotropy.shape[std::size_t(bins.frame_index(k))]);
+  Kernels kernels = kernels_of(bins, radius, std::move(shapes), films, threads);
+  return {std::move(bins), std::move(kernels)};
+}
+
 SurfaceMesh::Point unit(Point n) {
   const double length = norm(n);
   if (!(length > 0)) return {0, 1, 0};
@@ -89,13 +130,18 @@ SurfaceMesh in_meters(GridMesh mesh, const Grid& grid, const Smoothing& field) {
   return out;
 }
 
+/// The values of the points that stay. Points without values keep none.
+template <class T> void keep(const std::vector<std::uint32_t>& points, std::vector<T>& values) {
+  if (values.empty()) return;
+  for (std::size_t k = 0; k < points.size(); ++k) values[k] = values[points[k]];
+  values.resize(points.size());
+}
+
 }  // namespace
 
 void check_surface_settings(const SurfaceSettings& s) {
-  check("cell", s.cell, 0.1, 2);
-  check("radius", s.radius, 1, 6);
-  check("level", s.level, 0.05, 0.95);
-  check("smooth", s.smooth, 0, 100);
+  RangeCheck ranges;
+  visit_settings(ranges, s);
   if (s.cell > s.radius / 2)
     throw Error(
         Error::Kind::scene, fmt::format("option cell {}", s.cell),
@@ -103,6 +149,10 @@ void check_surface_settings(const SurfaceSettings& s) {
                     "particles",
                     s.radius),
         {"radius"});
+  if (s.simplify > 0 && !simplifies_surfaces())
+    throw Error(Error::Kind::scene, fmt::format("option simplify {}", s.simplify),
+                "it needs meshoptimizer, and this Freshet was built without it; install "
+                "libmeshoptimizer-dev and rebuild, or leave it at 0");
 }
 
 SurfaceMesh surface_of(const Frame& frame, double spacing, const std::array<double, 3>& origin,
@@ -111,20 +161,30 @@ SurfaceMesh surface_of(const Frame& frame, double spacing, const std::array<doub
   if (frame.dimension != 3) fail("this frame is in 2D; a surface needs a run in 3D");
   const Threads team(thread_count(threads));
   const Grid grid{origin, s.cell * spacing};
-  const float level = float(s.level), support = float(s.radius / s.cell);
-  const ParticleBins bins(positions_of(frame, grid), support);
-  const std::vector<float> volumes = particle_volumes(bins, team);
-  const DensityField field(bins, volumes, team);
+  const float level = float(s.level);
+  const Particles particles = particles_of(positions_of(frame, grid), s, team);
+  const ParticleBins& bins = particles.bins;
+  const DensityField field(bins, particles.kernels, team);
   GridMesh mesh = marching_cubes(field, level, team);
+  const bool fits = s.volume == SurfaceVolume::particles;
+  Pieces pieces = fits ? pieces_of(mesh, field, level, bins, team) : Pieces{};
   // the spline's integral over a spacing³, as a sum over particles deep in the liquid
   const double deep = 3.14159265358979 / 8 * s.radius * s.radius * s.radius;
   PointValues values =
-      point_values(mesh, field, {bins, volumes, frame.v, level, float(deep)}, team);
+      point_values(mesh, field, {bins, particles.kernels, frame.v, level, float(deep)}, team);
   for (std::size_t k = 0; k < mesh.points.size(); ++k)
     mesh.points[k] +=
         Point{double(values.step[k].x), double(values.step[k].y), double(values.step[k].z)};
-  const Smoothing smoothing{std::move(values.fill), std::move(values.normal), s.smooth};
+  Smoothing smoothing{std::move(values.fill), std::move(values.normal), s.smooth};
   smooth(mesh, smoothing, team);
+  if (fits) fit_volumes(mesh, pieces, 1 / (s.cell * s.cell * s.cell), farthest_fit / s.cell);
+  if (s.simplify > 0) {
+    const std::vector<std::uint32_t> kept = simplify(mesh, s.simplify / s.cell, team);
+    keep(kept, pieces.of);
+    keep(kept, smoothing.weight);
+    keep(kept, smoothing.normal);
+    keep(kept, values.velocity);
+  }
   SurfaceMesh out = in_meters(std::move(mesh), grid, smoothing);
   out.velocity = std::move(values.velocity);
   return out;

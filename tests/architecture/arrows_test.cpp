@@ -40,7 +40,7 @@ const std::map<std::string, std::set<std::string>> arrows{
      {"api", "boundary", "core", "mesh", "scene", "btBulletDynamicsCommon.h", "BulletCollision",
       "BulletDynamics"}},
     {"render", {"api", "boundary", "cairo", "core", "fmt", "mesh", "scene", "spng.h", "surface"}},
-    {"surface", {"api", "backend/cpu/threads.h", "core", "fmt"}},
+    {"surface", {"api", "backend/cpu/threads.h", "core", "fmt", "meshoptimizer.h"}},
     {"io",
      {"api", "core", "render", "formats", "fmt", "nlohmann", "hdf5.h", "commit.h", "gif_lib.h",
       "webp"}},

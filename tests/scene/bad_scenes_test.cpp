@@ -38,6 +38,7 @@ const char* missing_for(const std::string& name) {
   if (any({"mesh_"}) && !reads_meshes()) return "Assimp";
   if (any({"body_", "joint_"}) && !moves_free_bodies()) return "Bullet";
   if (any({"without_bullet_"}) && moves_free_bodies()) return "the lack of Bullet";
+  if (any({"without_meshoptimizer_"}) && simplifies_surfaces()) return "the lack of meshoptimizer";
   if (any({"body_function_", "function_", "probes_of_every_kind"}) && !reads_expressions())
     return "muParser";
   return nullptr;

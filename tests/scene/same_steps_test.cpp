@@ -19,6 +19,7 @@ TEST(DifferingKey, IsEmptyForScenesWithTheSameSteps) {
   EXPECT_EQ("", difference("[time]\nend = 1\nstep = 0.5\n", "time.step = 5e-1\ntime.end = 2.5\n"));
   EXPECT_EQ("", difference("fluid.viscosity = 1", "# as run\n[fluid]\nviscosity = 1.0\n"));
   EXPECT_EQ("", difference("", "title = \"a\"\n[output]\nframe_every = 3\n[walls]\n"));
+  EXPECT_EQ("", difference("[surface]\n", "[surface]\ncell = 0.3\n"));
   EXPECT_EQ("", difference("", "[[camera]]\nx = 1\n[[camera]]\nx = 2\n[checks]\nspeed_max = 1\n"));
   EXPECT_EQ("", difference("fluid.file = \"a.csv\"\nsolver.backend = \"cpu\"\n",
                            "fluid.file = \"inputs/fluid_0_a.csv\"\n"));

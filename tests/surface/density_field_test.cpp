@@ -85,16 +85,16 @@ TEST(DensityField, IsTheSumOverParticlesAndZeroElsewhere) {
   const float support = 5;
   const Threads threads(2);
   const ParticleBins bins(all, support);
-  const std::vector<float> volumes = particle_volumes(bins, threads);
+  const Kernels kernels = kernels_of(bins, support, {}, {}, threads);
   std::vector<double> volume(all.size());
   for (std::size_t k = 0; k < bins.size(); ++k) {
     const auto index = std::size_t(bins.frame_index(int(k)));
     double sum = 0;
     for (const auto& x : all) sum += spline(distance(x, all[index]), double(support));
     volume[index] = 1 / sum;
-    EXPECT_NEAR(double(volumes[k]), volume[index], 1e-5);
+    EXPECT_NEAR(double(kernels.volume[k]), volume[index], 1e-5);
   }
-  const DensityField field(bins, volumes, threads);
+  const DensityField field(bins, kernels, threads);
   for (int z = -24; z <= 24; z += 3)
     for (int y = -24; y <= 24; y += 3)
       for (int x = -24; x <= 24; x += 3) {

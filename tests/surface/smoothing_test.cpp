@@ -20,7 +20,7 @@ GridMesh rippled_ball(double radius, const Threads& threads) {
       for (double x = -radius; x <= radius; x += 2)
         if (x * x + y * y + z * z < radius * radius) all.push_back({x, y, z});
   const ParticleBins bins(all, 4);
-  return marching_cubes(DensityField(bins, particle_volumes(bins, threads), threads), 0.6f,
+  return marching_cubes(DensityField(bins, kernels_of(bins, 4, {}, {}, threads), threads), 0.6f,
                         threads);
 }
 

@@ -17,7 +17,8 @@ double particle_volume(const Frame& frame) { return double(frame.size()) * doubl
 TEST(Surface, IsClosedAndManifold) {
   for (const SurfaceSettings& s :
        {SurfaceSettings{}, SurfaceSettings{.cell = 1, .smooth = 0},
-        SurfaceSettings{.cell = 0.3, .radius = 1.5}, SurfaceSettings{.radius = 3.3, .level = 0.2}})
+        SurfaceSettings{.cell = 0.3, .radius = 1.5}, SurfaceSettings{.radius = 3.3, .level = 0.2},
+        SurfaceSettings{.kernels = SurfaceKernels::anisotropic}})
     for (const Frame& frame :
          {cloud(300, 1, 1), cloud(300, 2, 2), cloud(2000, 1.5, 3), ball(0.5, dx, 0.2f),
           slab(1, 0.1f, dx, 0), fluid_at({0.01f, 0, 0}), fluid_at({0, 0, 0, 0.13f, 0.02f, 0}),
@@ -52,21 +53,64 @@ TEST(Surface, OfASlabHasItsVolumeAndArea) {
   }
 }
 
-TEST(Surface, KeepsDropletsAndFilms) {
-  const auto volume = [](const Frame& frame) {
-    return volume_of(surface_of(frame, double(dx), origin)) / particle_volume(frame);
-  };
-  double mean = 0;  // a droplet's volume depends on its place in the grid
-  for (int k = 0; k < 50; ++k) {
-    const Frame drop = cloud(1, 1, unsigned(k));
-    EXPECT_NEAR(volume(drop), 1, 0.15);
-    mean += volume(drop) / 50;
+double volume_ratio(const Frame& frame, const SurfaceSettings& settings = {}) {
+  return volume_of(surface_of(frame, double(dx), origin, settings)) / particle_volume(frame);
+}
+
+TEST(Surface, OfEachPieceHasTheVolumeOfItsParticles) {
+  for (int k = 0; k < 20; ++k) EXPECT_NEAR(volume_ratio(cloud(1, 1, unsigned(k))), 1, 0.02);
+  EXPECT_NEAR(volume_ratio(fluid_at({0.03f, 0, 0, 0.13f, 0, 0.01f})), 1, 0.02);
+  for (const float jitter : {0.0f, 0.1f, 0.2f}) {
+    for (const float height : {0.1f, 0.2f})
+      EXPECT_NEAR(volume_ratio(slab(3, height, dx, jitter)), 1, 0.02) << height << " " << jitter;
+    for (const float side : {0.4f, 0.6f, 0.8f})
+      EXPECT_NEAR(volume_ratio(slab(side, side, dx, jitter)), 1, 0.02) << side << " " << jitter;
   }
+}
+
+TEST(Surface, OfAShellHasTheVolumeOfItsParticles) {
+  const Frame shell = lattice_in(12, dx, 0.1f, [](float x, float y, float z) {
+    const float r2 = x * x + y * y + z * z;
+    return r2 < 1 && r2 > 0.25f;
+  });
+  EXPECT_NEAR(volume_ratio(shell), 1, 0.02);
+  EXPECT_EQ(faults_of(surface_of(shell, double(dx), origin)), 0);
+}
+
+TEST(Surface, LiesAtTheLevelIfAsked) {
+  const SurfaceSettings thick{.level = 0.3, .volume = SurfaceVolume::level};
+  EXPECT_GT(volume_ratio(slab(3, 0.1f, dx, 0), thick), 1.3);
+  const SurfaceSettings level{.volume = SurfaceVolume::level};
+  double mean = 0;  // a droplet's volume depends on its place in the grid
+  for (int k = 0; k < 50; ++k) mean += volume_ratio(cloud(1, 1, unsigned(k)), level) / 50;
   EXPECT_NEAR(mean, 1, 0.02);
-  EXPECT_NEAR(volume(fluid_at({0.03f, 0, 0, 0.13f, 0, 0.01f})), 1, 0.15);
-  EXPECT_NEAR(volume(slab(3, 0.1f, dx, 0.1f)), 1, 0.2);
-  EXPECT_NEAR(volume(slab(3, 0.2f, dx, 0.1f)), 1, 0.05);
-  // A film whose particles are 1.3 spacings apart has no holes: its mesh is a sphere's.
+  EXPECT_NEAR(volume_ratio(ball(1, dx, 0.1f), level), 1, 0.02);
+  EXPECT_NEAR(volume_ratio(slab(10, 1.2f, dx, 0.1f), level), 1, 0.02);
+}
+
+// The thickness of a curtain of one or two particles above a pool, far from its edges.
+TEST(Surface, OfAFilmOnAPoolIsAsThickAsItsParticles) {
+  for (const float layers : {1.0f, 2.0f})
+    for (const double radius : {2.0, 2.5, 3.0})
+      for (const float jitter : {0.0f, 0.1f}) {
+        const Frame frame = lattice_in(20, dx, jitter, [=](float x, float y, float z) {
+          const bool pool = y > 0 && y < 0.8f && std::abs(z) < 1.5f;
+          const bool curtain = y > 0.8f && y < 1.9f && z > 0 && z < layers * dx;
+          return (pool || curtain) && std::abs(x) < 1.5f;
+        });
+        double sum = 0;
+        int count = 0;
+        for (const auto& p : surface_of(frame, double(dx), origin, {.radius = radius}).position) {
+          if (!(p[1] > 1.2f && p[1] < 1.6f && std::abs(p[0]) < 1.1f)) continue;
+          sum += std::abs(double(p[2] - layers * dx / 2));
+          ++count;
+        }
+        EXPECT_NEAR(2 * sum / count / double(layers * dx), 1, 0.06) << radius << " " << jitter;
+      }
+}
+
+TEST(Surface, OfAThinFilmHasNoHoles) {
+  // A film whose particles are 1.3 spacings apart: its mesh is a sphere's.
   const SurfaceMesh film = surface_of(slab(3, 0.13f, 1.3f * dx, 0.1f), double(dx), origin);
   EXPECT_EQ(int(film.position.size()) - int(film.triangles.size()) / 2, 2);
 }
@@ -74,14 +118,63 @@ TEST(Surface, KeepsDropletsAndFilms) {
 TEST(Surface, HasTheSameBitsForAnyNumberOfThreads) {
   Frame frame = cloud(3000, 1.6f, 5);
   for (std::size_t k = 0; k < frame.v.size(); ++k) frame.v[k] = frame.x[k];
-  const SurfaceMesh one = surface_of(frame, double(dx), origin, {}, 1);
-  for (const int threads : {2, 4}) {
-    const SurfaceMesh more = surface_of(frame, double(dx), origin, {}, threads);
-    EXPECT_EQ(one.triangles, more.triangles);
-    EXPECT_EQ(one.position, more.position);
-    EXPECT_EQ(one.normal, more.normal);
-    EXPECT_EQ(one.velocity, more.velocity);
+  for (const SurfaceKernels kernels : {SurfaceKernels::isotropic, SurfaceKernels::anisotropic}) {
+    const SurfaceSettings settings{.kernels = kernels,
+                                   .simplify = simplifies_surfaces() ? 0.05 : 0};
+    const SurfaceMesh one = surface_of(frame, double(dx), origin, settings, 1);
+    for (const int threads : {2, 4}) {
+      const SurfaceMesh more = surface_of(frame, double(dx), origin, settings, threads);
+      EXPECT_EQ(one.triangles, more.triangles);
+      EXPECT_EQ(one.position, more.position);
+      EXPECT_EQ(one.normal, more.normal);
+      EXPECT_EQ(one.velocity, more.velocity);
+    }
   }
+}
+
+/// The root mean square of the heights of the top of a slab, far from its edges [spacings].
+double roughness(const Frame& frame, float top, const SurfaceSettings& settings) {
+  double sum = 0, sum2 = 0;
+  int count = 0;
+  for (const auto& p : surface_of(frame, double(dx), origin, settings).position) {
+    if (!(p[1] > top - 3 * dx && std::abs(p[0]) < 1.4f && std::abs(p[2]) < 1.4f)) continue;
+    const double height = double((p[1] - top) / dx);
+    sum += height;
+    sum2 += height * height;
+    ++count;
+  }
+  return std::sqrt(sum2 / count - sum / count * sum / count);
+}
+
+TEST(Surface, IsFlatterWithAnisotropicKernels) {
+  for (const float jitter : {0.1f, 0.2f})
+    for (const int smooth : {0, 10}) {
+      const Frame frame = slab(4, 1.2f, dx, jitter);
+      SurfaceSettings settings{.smooth = smooth};
+      const double round = roughness(frame, 1.2f, settings);
+      settings.kernels = SurfaceKernels::anisotropic;
+      const double expected = smooth == 0 ? 0.6 : 0.85;
+      EXPECT_LT(roughness(frame, 1.2f, settings), expected * round) << jitter << " " << smooth;
+    }
+}
+
+TEST(Surface, HasItsVolumeWithAnisotropicKernels) {
+  SurfaceSettings settings{.kernels = SurfaceKernels::anisotropic};
+  for (const SurfaceVolume volume : {SurfaceVolume::particles, SurfaceVolume::level})
+    for (const float jitter : {0.0f, 0.1f, 0.2f}) {
+      settings.volume = volume;
+      EXPECT_NEAR(volume_ratio(slab(6, 1.2f, dx, jitter), settings), 1, 0.02) << jitter;
+      EXPECT_NEAR(volume_ratio(ball(1, dx, jitter), settings), 1, 0.02) << jitter;
+    }
+}
+
+TEST(Surface, OfADropletIsRoundWithAnisotropicKernels) {
+  const Frame drop = fluid_at({0.03f, 0, 0, 0.13f, 0, 0.01f});
+  const SurfaceMesh round = surface_of(drop, double(dx), origin);
+  const SurfaceMesh shaped =
+      surface_of(drop, double(dx), origin, {.kernels = SurfaceKernels::anisotropic});
+  EXPECT_EQ(round.triangles, shaped.triangles);
+  EXPECT_EQ(round.position, shaped.position);
 }
 
 TEST(Surface, HasNormalsOutOfTheFluidAndItsVelocity) {
@@ -145,6 +238,11 @@ TEST(Surface, RejectsWhatHasNone) {
   expect_error(good, {.cell = 1.1}, "option cell 1.1: error: it must be at most half of `radius`");
   expect_error(good, {.level = 1}, "option level 1");
   expect_error(good, {.smooth = -1}, "option smooth -1");
+  expect_error(good, {.simplify = 2}, "option simplify 2: error: it must be from 0 to 1");
+  if (!simplifies_surfaces())
+    expect_error(good, {.simplify = 0.05},
+                 "option simplify 0.05: error: it needs meshoptimizer, and this Freshet was built "
+                 "without it; install libmeshoptimizer-dev");
 }
 
 TEST(Surface, OfAParticleFarAwayTakesLittleMemory) {

@@ -37,6 +37,7 @@ void check_all(const Scene& scene, const std::set<std::string, std::less<>>& unr
   if (read("probe")) check_probes(scene, findings);
   if (read("picture")) check_picture(scene, findings);
   if (read("whitewater")) check_whitewater(scene, findings);
+  if (read("surface", "time")) check_surface_meshes(scene, findings);
   if (read("camera")) check_camera(scene, findings);
   if (read("particles")) check_periodic(scene, findings);
   if (read("solver")) check_gravity(scene, findings);

@@ -83,9 +83,9 @@ void check_iterations(const Scene& s, Findings& out) {
 
 /// An output interval is set in seconds or in steps, but not in both. It is at least one step.
 /// Adaptive steps are known when the fluid is sampled only: see scene_warnings.
-void check_every(const Scene& s, const char* name, std::optional<std::int64_t> steps,
+void check_every(const Scene& s, const std::string& key, std::optional<std::int64_t> steps,
                  std::optional<double> seconds, Findings& out) {
-  const std::string key = fmt::format("output.{}", name), key_steps = key + "_steps";
+  const std::string key_steps = key + "_steps";
   if (steps && seconds)
     out.error(key, fmt::format("{} and {} are both set; keep one", key, key_steps));
   if (seconds && !s.time.adaptive && *seconds < s.time.step)
@@ -94,10 +94,9 @@ void check_every(const Scene& s, const char* name, std::optional<std::int64_t> s
 }
 
 /// The number of frames is limited.
-void check_count(const Scene& s, const char* name, std::optional<std::int64_t> every_steps,
+void check_count(const Scene& s, const std::string& key, std::optional<std::int64_t> every_steps,
                  std::optional<double> every, Findings& out) {
   const double steps = std::round(s.time.end / s.time.step);
-  const std::string key = fmt::format("output.{}", name);
   const auto too_many = [&](const std::string& given, double frames) {
     out.error(given, fmt::format("the run would write {:.4g} frames; at most {:.0f} are allowed; "
                                  "make {} larger",
@@ -112,11 +111,15 @@ void check_count(const Scene& s, const char* name, std::optional<std::int64_t> e
 /// The keys of data files.
 void check_data(const Scene& s, Findings& out) {
   const auto& data = s.output.data;
+  const bool paces_meshes = s.surface && !s.surface->every && !s.surface->every_steps;
   if (data.empty())
-    for (const char* key : {"fields", "precision", "data_every", "data_every_steps"})
-      out.unused(fmt::format("output.{}", key), fmt::format("output.{}", key),
+    for (const char* key :
+         {"output.fields", "output.precision", "output.data_every", "output.data_every_steps"}) {
+      if (paces_meshes && std::string_view(key).starts_with("output.data_every")) continue;
+      out.unused(key, key,
                  "output.data is empty, so that no data files are written; remove it, or name a "
                  "format there");
+    }
   else if (s.output.precision == Precision::float16)
     for (const DataFormat format : data)
       if (format != DataFormat::hdf5)
@@ -233,16 +236,36 @@ void check_time(const Scene& s, Findings& out) {
                                steps, most_steps, key));
 }
 
+void check_surface_meshes(const Scene& s, Findings& out) {
+  if (!s.surface) return;
+  if (s.dimension() == 2)
+    return out.error("surface", "[surface] needs a scene in 3D, and this one is in 2D; remove it");
+  const SurfaceSettings& settings = s.surface->settings;
+  if (settings.cell > settings.radius / 2)
+    out.error(out.given("surface.cell") ? "surface.cell" : "surface.radius",
+              fmt::format("surface.cell is {} spacings, more than half of surface.radius, {}; a "
+                          "coarser grid misses particles; make the cell smaller or the radius "
+                          "larger",
+                          settings.cell, settings.radius));
+  if (settings.simplify > 0 && !simplifies_surfaces())
+    out.error(
+        "surface.simplify",
+        "surface.simplify needs meshoptimizer, and this Freshet was built without it; install "
+        "libmeshoptimizer-dev and rebuild, or remove it");
+  check_every(s, "surface.every", s.surface->every_steps, s.surface->every, out);
+  check_count(s, "surface.every", s.surface->every_steps, s.surface->every, out);
+}
+
 void check_output(const Scene& s, Findings& out) {
-  check_every(s, "frame_every", s.output.frame_every_steps, s.output.frame_every, out);
-  check_every(s, "data_every", s.output.data_every_steps, s.output.data_every, out);
-  check_every(s, "observables_every", s.output.observables_every_steps, s.output.observables_every,
-              out);
-  check_every(s, "checkpoint_every", s.output.checkpoint_every_steps, s.output.checkpoint_every,
-              out);
+  check_every(s, "output.frame_every", s.output.frame_every_steps, s.output.frame_every, out);
+  check_every(s, "output.data_every", s.output.data_every_steps, s.output.data_every, out);
+  check_every(s, "output.observables_every", s.output.observables_every_steps,
+              s.output.observables_every, out);
+  check_every(s, "output.checkpoint_every", s.output.checkpoint_every_steps,
+              s.output.checkpoint_every, out);
   check_data(s, out);
-  check_count(s, "frame_every", s.output.frame_every_steps, s.output.frame_every, out);
-  check_count(s, "data_every", s.output.data_every_steps, s.output.data_every, out);
+  check_count(s, "output.frame_every", s.output.frame_every_steps, s.output.frame_every, out);
+  check_count(s, "output.data_every", s.output.data_every_steps, s.output.data_every, out);
 }
 
 }  // namespace freshet

@@ -65,6 +65,7 @@ void check_forces(const Scene& scene, Findings& out);  ///< the forces beside pr
 void check_scheme(const Scene& scene, Findings& out);
 void check_time(const Scene& scene, Findings& out);
 void check_output(const Scene& scene, Findings& out);
+void check_surface_meshes(const Scene& scene, Findings& out);  ///< [surface]
 /// False if the shape is invalid, so that other checks must skip it.
 bool check_region(const Scene& scene, const RegionAt& at, Findings& out);
 /// The points of a region's file; empty if it cannot be read.

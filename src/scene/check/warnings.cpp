@@ -199,6 +199,7 @@ class Warnings {
     often("output.frame_every", s_.output.frame_every);
     often("output.data_every", s_.output.data_every);
     often("output.checkpoint_every", s_.output.checkpoint_every);
+    if (s_.surface) often("surface.every", s_.surface->every);
   }
 
   /// The speed of the flow [m/s]: of its start, its inlets or a fall that viscosity may slow.

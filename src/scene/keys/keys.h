@@ -65,9 +65,13 @@ inline constexpr const char* integrator_words[] = {"symplectic_euler", "leapfrog
 class KeyVisitor {
  public:
   virtual ~KeyVisitor() = default;
-  /// Returns whether the scene has the section.
-  virtual bool section(std::string_view name, std::string_view text,
+  virtual void section(std::string_view name, std::string_view text,
                        const std::function<void()>& keys) = 0;
+  /// A section that means something even if it is empty: `keys` is called if it is set.
+  virtual void section_if_set(std::string_view name, std::string_view text,
+                              const std::function<void()>& keys) {
+    section(name, text, keys);
+  }
   /// A section that may occur several times: `resize(n)` makes room for n, `keys(k)` visits the
   /// k-th.
   virtual void sections(std::string_view name, std::string_view text,
@@ -121,12 +125,10 @@ class KeyVisitor {
     value.clear();
     for (const int place : places) value.push_back(static_cast<E>(place));
   }
-  /// A section that is not there by default.
   template <class T, class F>
-  void optional_section(std::string_view name, std::string_view text, std::optional<T>& value,
-                        F keys) {
-    T table;
-    if (section(name, text, [&] { keys(table); })) value = table;
+  void optional_table(std::string_view name, std::string_view text, std::optional<T>& table,
+                      F keys) {
+    section_if_set(name, text, [&] { keys(table.emplace()); });
   }
   template <class T, class F>
   void tables(std::string_view name, std::string_view text, std::vector<T>& all, F keys) {

@@ -29,6 +29,49 @@ void data_keys(KeyVisitor& v, Scene::Output& o) {
             .fallback = "as the frames"});
 }
 
+/// The settings of surfaces as keys.
+struct SettingKeys {
+  KeyVisitor& v;
+  void number(const char* name, double& value, double low, double high, const char* text) {
+    v.number(name, value, {.unit = "", .text = text, .min = low, .max = high});
+  }
+  void count(const char* name, int& value, int low, int high, const char* text) {
+    std::int64_t whole = value;
+    v.integer(name, whole, {.unit = "", .text = text, .min = double(low), .max = double(high)});
+    value = int(whole);
+  }
+  template <class E> void choice(const char* name, E& value, Words words, const char* text) {
+    v.choice(name, value, words, {.unit = "", .text = text});
+  }
+  void flag(const char* name, bool& value, const char* text) {
+    v.boolean(name, value, {.unit = "", .text = text});
+  }
+};
+
+void surface_keys(KeyVisitor& v, Scene& s) {
+  v.optional_table(
+      "surface",
+      R"(Closed meshes of the fluid in 3D, surface/surface_0000.ply and so on, which the run writes while
+it runs. Without this table there are none; `freshet surface` makes the same from data files. `cell`
+must be at most half of `radius`. docs/surface.md describes the settings.)",
+      s.surface, [&](Scene::Surface& surface) {
+        SettingKeys keys{v};
+        visit_files(keys, surface);
+        v.integer("every_steps", surface.every_steps,
+                  {.unit = "steps",
+                   .text = "interval of meshes; there is one after step 0 and after the last step",
+                   .min = 1,
+                   .max = 1e9,
+                   .fallback = "as the data files"});
+        v.number("every", surface.every,
+                 {.unit = "s",
+                  .text = "interval of meshes instead, in simulated seconds",
+                  .min = 0,
+                  .above = true,
+                  .fallback = "as the data files"});
+      });
+}
+
 void camera_keys(KeyVisitor& v, Scene::Camera& c) {
   v.number("time", c.time, {.unit = "s", .text = "time of a key frame", .min = 0});
   v.vector("position", c.position,
@@ -64,10 +107,11 @@ void picture_keys(KeyVisitor& v, Scene& s) {
                .min = 32,
                .max = 8192,
                .fallback = "follows the width and the domain"});
-    v.boolean("stretch", p.stretch,
-              {.unit = "",
-               .text = "in 2D: the domain fills `width` and `height`, each axis with a scale of its "
-                       "own; otherwise it is centred with equal scales"});
+    v.boolean(
+        "stretch", p.stretch,
+        {.unit = "",
+         .text = "in 2D: the domain fills `width` and `height`, each axis with a scale of its "
+                 "own; otherwise it is centred with equal scales"});
     v.choice("dots", p.dots, dots_words,
              {.unit = "",
               .text = "in 2D: `solid`, discs in the exact colours; `glow`, soft dots whose light "
@@ -78,11 +122,12 @@ void picture_keys(KeyVisitor& v, Scene& s) {
                .min = 1,
                .max = 200,
                .fallback = "slightly more than half a spacing; 5 if `glow`"});
-    v.choice("style", p.style, style_words,
-             {.unit = "",
-              .text = "in 3D: `balls`, a lit ball per particle in the colours of `color_by`; "
-                      "`water`, the surfaces of the liquids, clear and in their colours: they "
-                      "reflect a sky, refract what is behind them and absorb light by their depth"});
+    v.choice(
+        "style", p.style, style_words,
+        {.unit = "",
+         .text = "in 3D: `balls`, a lit ball per particle in the colours of `color_by`; "
+                 "`water`, the surfaces of the liquids, clear and in their colours: they "
+                 "reflect a sky, refract what is behind them and absorb light by their depth"});
     v.numbers("window", p.window, 4,
               {.unit = "m",
                .text = "visible region in 2D: x_min, y_min, x_max, y_max",
@@ -95,21 +140,22 @@ void picture_keys(KeyVisitor& v, Scene& s) {
              {.unit = "",
               .text = "colours from the minimum to the maximum",
               .fallback = "`water` for `speed`, `coolwarm` for signed quantities, else `viridis`"});
-    v.numbers(
-        "color_range", p.color_range, 2,
-        {.unit = "as color_by",
-         .text = "minimum and maximum; values beyond have the colours of the ends",
-         .fallback = "by `color_scale`"});
-    v.choice("color_scale", p.color_scale, color_scale_words,
-             {.unit = "",
-              .text = "range without `color_range`: `run`, what 98 % of the particles have had up "
-                      "to the picture (percentiles.csv); `picture`, the minimum and maximum of each "
-                      "picture, as in the article"});
+    v.numbers("color_range", p.color_range, 2,
+              {.unit = "as color_by",
+               .text = "minimum and maximum; values beyond have the colours of the ends",
+               .fallback = "by `color_scale`"});
+    v.choice(
+        "color_scale", p.color_scale, color_scale_words,
+        {.unit = "",
+         .text = "range without `color_range`: `run`, what 98 % of the particles have had up "
+                 "to the picture (percentiles.csv); `picture`, the minimum and maximum of each "
+                 "picture, as in the article"});
     v.text("background", p.background,
            {.unit = "", .text = "`night`, `black`, `grey`, `white` or `#rrggbb`"});
     v.boolean("time_stamp", p.time_stamp, {.unit = "", .text = "shows the time in a corner"});
     v.boolean("scale_bar", p.scale_bar, {.unit = "", .text = "shows a bar and its length (2D)"});
-    v.boolean("color_bar", p.color_bar, {.unit = "", .text = "shows the colours and their values, right of the domain"});
+    v.boolean("color_bar", p.color_bar,
+              {.unit = "", .text = "shows the colours and their values, right of the domain"});
   });
   v.tables("camera",
            "The camera of pictures in 3D: `[camera]` for one that stands still or orbits, "
@@ -168,6 +214,7 @@ void output_keys(KeyVisitor& v, Scene& s) {
               .above = true,
               .fallback = "every five minutes of run time"});
   });
+  surface_keys(v, s);
   picture_keys(v, s);
   v.section("checks", "Conditions at the end of a run. A run whose check fails exits with 1.", [&] {
     v.integer(

@@ -18,7 +18,7 @@ inline const std::string density_unit = key_unit(&Units::density),
                          inertia_unit = key_unit(&Units::inertia),
                          mass_unit = key_unit(&Units::mass), torque_unit = key_unit(&Units::torque);
 
-/// The keys that do not change the simulation: output, picture, camera, checks.
+/// The keys that do not change the simulation: output, surface, picture, camera, checks.
 void output_keys(KeyVisitor& visitor, Scene& scene);
 
 }  // namespace freshet

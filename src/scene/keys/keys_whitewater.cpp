@@ -36,7 +36,7 @@ void birth_keys(KeyVisitor& v, Scene::Whitewater& w) {
 }  // namespace
 
 void whitewater_keys(KeyVisitor& visitor, Scene& scene) {
-  visitor.optional_section(
+  visitor.optional_table(
       "whitewater",
       R"(Spray, foam and bubbles, after Ihmsen et al. 2012. No key is required.
 

@@ -95,18 +95,23 @@ void SceneReader::read_table(const toml::table& table, std::string path, std::st
   scope_ = outer;
 }
 
-bool SceneReader::section(std::string_view name, std::string_view,
+void SceneReader::section(std::string_view name, std::string_view,
                           const std::function<void()>& keys) {
   static const toml::table empty;
   const toml::node* node = take(name, {});
   if (node && !node->is_table()) {
     reject(node->source(), std::string(name),
            fmt::format("{} is {}; it must be a table: [{}]", name, found(*node), name));
-    return false;
+    return;
   }
   const std::string prefix = fmt::format("{}.", name);
   read_table(node ? *node->as_table() : empty, prefix, prefix, keys);
-  return node != nullptr;
+}
+
+void SceneReader::section_if_set(std::string_view name, std::string_view text,
+                                 const std::function<void()>& keys) {
+  if (scope_.table->contains(name)) section(name, text, keys);
+  else scope_.known.insert(std::string(name));
 }
 
 void SceneReader::sections(std::string_view name, std::string_view,

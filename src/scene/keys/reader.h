@@ -27,8 +27,10 @@ class SceneReader final : public KeyVisitor {
   /// Reports unknown keys at the top level; call it last.
   void finish() { report_unknown(); }
 
-  bool section(std::string_view name, std::string_view text,
+  void section(std::string_view name, std::string_view text,
                const std::function<void()>& keys) override;
+  void section_if_set(std::string_view name, std::string_view text,
+                      const std::function<void()>& keys) override;
   void sections(std::string_view name, std::string_view text,
                 const std::function<void(std::size_t)>& resize,
                 const std::function<void(std::size_t)>& keys) override;

@@ -60,7 +60,8 @@ std::string difference_of(const toml::node* a, const toml::node* b, const std::s
 
 bool steps_depend_on(const std::string& key) {
   static constexpr const char* free[] = {"time.end", "title", "description"};
-  static constexpr const char* free_tables[] = {"output.", "picture.", "camera", "checks."};
+  static constexpr const char* free_tables[] = {"output.", "surface.", "picture.", "camera",
+                                                "checks."};
   return std::none_of(std::begin(free), std::end(free), [&](auto name) { return key == name; }) &&
          std::none_of(std::begin(free_tables), std::end(free_tables),
                       [&](auto table) { return key.starts_with(table); });

@@ -5,7 +5,7 @@
 namespace freshet {
 
 /// Whether a step depends on a key, such as "fluid[0].viscosity". It does not depend on time.end,
-/// title, description and the keys of output, picture, camera and checks.
+/// title, description and the keys of output, surface, picture, camera and checks.
 bool steps_depend_on(const std::string& key);
 
 /// The first key on which steps depend and that differs between two scenes; empty if there is none.

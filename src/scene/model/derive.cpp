@@ -14,6 +14,7 @@
 #include "scene/model/picture_layout.h"
 #include "scene/model/schedule.h"
 #include "scene/model/setup.h"
+#include "scene/model/surface_bytes.h"
 #include "scene/sample/fluid_volume.h"
 
 namespace freshet {
@@ -231,6 +232,14 @@ Derived derive(const Scene& scene) {
   d.picture_height = picture.height;
   d.data_frames = schedule.data_frames();
   d.data_bytes = double(d.data_frames) * data_bytes(s, d.most_particles);
+  if (s.surface) {
+    // An inlet's liquid has the surface of a cube.
+    const double cube = 6 * std::cbrt(d.most_particles * d.most_particles);
+    const double points = points_of_mesh(start.x, s.particles.spacing);
+    d.surface_frames = schedule.surface_frames();
+    d.surface_bytes = double(d.surface_frames) *
+                      surface_bytes(*s.surface, s.inlet.empty() ? points : std::max(points, cube));
+  }
   d.spacing = s.particles.spacing;
   d.support_radius = support_radius(s);
   derive_liquids(s, d);

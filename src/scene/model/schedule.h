@@ -75,17 +75,20 @@ class Schedule {
       : frame_(every(s, s.output.frame_every_steps, s.output.frame_every, 10)),
         observe_(every(s, s.output.observables_every_steps, s.output.observables_every, 100)),
         data_(data_of(s)),
+        surface_(surface_of(s)),
         probes_(probes_of(s)),
         checkpoint_(
             s.output.checkpoint_every_steps || s.output.checkpoint_every
                 ? std::optional<Every>({s.output.checkpoint_every_steps, s.output.checkpoint_every})
                 : std::nullopt),
         frames_(frames(s, frame_)),
-        data_frames_(s.output.data.empty() ? 0 : frames(s, data_)) {}
+        data_frames_(s.output.data.empty() ? 0 : frames(s, data_)),
+        surface_frames_(s.surface ? frames(s, surface_) : 0) {}
 
-  /// The frames and the data files.
+  /// The frames, the data files and the meshes of the fluid.
   const Every& frame() const { return frame_; }
   const Every& data() const { return data_; }
+  const Every& surface() const { return surface_; }
   /// Whether the k-th probe measures.
   bool probe_after(std::size_t k, const StepTaken& s) const { return probes_[k].due(s); }
   bool observe_after(const StepTaken& s) const { return observe_.due(s); }
@@ -98,6 +101,8 @@ class Schedule {
   std::int64_t frames() const { return frames_; }
   /// The number of data files of each format; likewise.
   std::int64_t data_frames() const { return data_frames_; }
+  /// The number of frames with meshes of the fluid; likewise.
+  std::int64_t surface_frames() const { return surface_frames_; }
 
  private:
   static Every every(const Scene& s, std::optional<std::int64_t> steps,
@@ -111,6 +116,10 @@ class Schedule {
     if (o.data_every_steps || o.data_every) return every(s, o.data_every_steps, o.data_every, 10);
     return every(s, o.frame_every_steps, o.frame_every, 10);
   }
+  static Every surface_of(const Scene& s) {
+    const auto& o = s.surface;
+    return o && (o->every_steps || o->every) ? every(s, o->every_steps, o->every, 10) : data_of(s);
+  }
   static std::vector<Every> probes_of(const Scene& s) {
     std::vector<Every> all;
     for (const Scene::Probe& p : s.probe)
@@ -123,10 +132,10 @@ class Schedule {
     return e.frames(s.steps(), s.time.adaptive ? s.time.end : double(s.steps()) * s.time.step);
   }
 
-  Every frame_, observe_, data_;
+  Every frame_, observe_, data_, surface_;
   std::vector<Every> probes_;
   std::optional<Every> checkpoint_;
-  std::int64_t frames_, data_frames_;
+  std::int64_t frames_, data_frames_, surface_frames_;
 };
 
 }  // namespace freshet
