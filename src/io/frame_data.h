@@ -14,9 +14,14 @@ namespace freshet {
 struct DataFields {
   bool velocity = true, density = true, pressure = true, id = true;
   bool half = false;  ///< HDF5: velocity, density and pressure as 2-byte floats
+  float pscale = 0;   ///< bgeo: the radius of a particle [m]; none if 0
 
   DataFields() = default;
   explicit DataFields(const Scene::Output& output);
+  /// With half a spacing as radius.
+  explicit DataFields(const Scene& scene) : DataFields(scene.output) {
+    pscale = float(scene.particles.spacing / 2);
+  }
 };
 
 /// VTK XML PolyData: a point and a vertex per particle. Positions and velocities have 3 components
@@ -30,6 +35,11 @@ std::string encode_ply(const Frame& frame, const DataFields& fields = {});
 /// CSV: a line of names, then one line per particle: step, time [s], id, x, y, ...; no z in 2D.
 /// Numbers are the shortest decimals that read as the same float.
 std::string encode_csv(const Frame& frame, const DataFields& fields = {});
+
+/// Houdini's classic bgeo of version 5, big-endian: positions, and the point attributes v, density,
+/// pressure, id, pscale and liquid. It has no time. Throws Error (kind run) if an id needs more
+/// than 31 bits.
+std::string encode_bgeo(const Frame& frame, const DataFields& fields = {});
 
 /// HDF5: position and velocity (N × D), density, pressure, id (u64), each with its unit as
 /// attribute; time [s], step and dimension as attributes of the file. With `half`, a field with a

@@ -261,11 +261,12 @@ class DataFiles final : public Output {
     times.push_back(time);
     site_.tables.flush();  // bodies.csv has the bodies of a data file before the file exists
     site_.background.add([site = site_, times, frame = site_.frames.at(time)] {
-      const Scene::Output& output = site.sim.scene().output;
+      const Scene& scene = site.sim.scene();
+      const Scene::Output& output = scene.output;
       const auto k = std::int64_t(times.size()) - 1;
       for (const DataFormat format : output.data)
         site.folder.write_more(data_file(format, k),
-                               encode_frame(format, *frame, DataFields(output)));
+                               encode_frame(format, *frame, DataFields(scene)));
       if (!has_time_series(output)) return;
       std::vector<std::string> names;
       for (std::int64_t n = 0; n <= k; ++n) names.push_back(data_file(DataFormat::vtp, n));
