@@ -93,13 +93,23 @@ def unregister():
         bpy.app.handlers.frame_change_pre.remove(on_frame)
 
 
+def is_older(folder, run):
+    """Whether a scene folder is of an earlier run in the same place."""
+    manifest = os.path.join(run, "manifest.json")
+    scene = os.path.join(folder, files.SCENE_FILE)
+    return os.path.isfile(manifest) and os.path.getmtime(scene) < os.path.getmtime(manifest)
+
+
 def scene_folder(path, command="freshet"):
-    """The scene folder of a path: itself, or that of a run, which `freshet` makes if it is missing."""
+    """The scene folder of a path: itself, or that of a run, which `freshet` makes if it is missing
+    or older than the run."""
     path = os.path.normpath(path)
     if os.path.isfile(path):
         path = os.path.dirname(path)
     for folder in (path, os.path.join(path, "scene"), os.path.join(path, "film", "scene")):
-        if os.path.isfile(os.path.join(folder, files.SCENE_FILE)) and frames_of(folder)[0]:
+        if not os.path.isfile(os.path.join(folder, files.SCENE_FILE)) or not frames_of(folder)[0]:
+            continue
+        if not (is_older(folder, path) and shutil.which(command)):
             return folder
     if not os.path.isfile(os.path.join(path, "scene.toml")):
         raise files.FileError("%s: this folder holds neither a run nor a scene for Blender" % path)
