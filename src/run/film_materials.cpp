@@ -17,7 +17,7 @@ namespace {
 
 constexpr double thick = 1.0;            // viscosity of liquids that look like honey [Pa s]
 constexpr double tinted_absorption = 8;  // of a liquid with a colour
-constexpr double honey_ior = 1.49, honey_absorption = 25, honey_scattering = 0.12;
+constexpr double honey_ior = 1.49, honey_absorption = 16, honey_scattering = 0.12;
 
 struct LiquidPreset {
   const char* name;
@@ -25,7 +25,7 @@ struct LiquidPreset {
 };
 const LiquidPreset liquid_table[] = {
     {"water", {"#86cdea", 1.333, 1.8, 0, 0}}, {"sea", {"#2f9c9c", 1.34, 4, 0.04, 0}},
-    {"oil", {"#e3c53a", 1.47, 3.5, 0, 0}},    {"honey", {"#e08a1e", 1.49, 25, 0.12, 0}},
+    {"oil", {"#e3c53a", 1.47, 3.5, 0, 0}},    {"honey", {"#e08a1e", 1.49, 16, 0.12, 0}},
     {"wine", {"#9c1230", 1.345, 2.5, 0, 0}},  {"juice", {"#f39a1f", 1.35, 6, 0.7, 0.05}},
     {"milk", {"#f6f1e4", 1.35, 6, 1, 0.08}},  {"chocolate", {"#4a2413", 1.45, 8, 1, 0.15}},
     {"mud", {"#6a4c31", 1.35, 8, 1, 0.4}},    {"paint", {"#c8342c", 1.45, 8, 1, 0.2}},
