@@ -19,7 +19,7 @@ struct FilmArguments {
   std::string run, output, size = "960x540", video;
   KeyArguments keys;
   FilmOptions options;
-  double at = -1, fps = 30, speed = 1;
+  double at = -1, fps = 30, speed = 1, shutter = -1;
   bool quiet = false;
 };
 
@@ -53,8 +53,10 @@ int film_of(const FilmArguments& a) {
   options.overrides = a.keys.overrides();
   set_size(options, a.size);
   if (a.at >= 0) options.at = a.at;
+  if (a.shutter >= 0) options.shutter = a.shutter;
   if (!a.video.empty()) options.video = VideoOptions{a.video, a.fps, a.speed};
-  const Count count(a.quiet, "pictures");
+  const char* noun = options.scene_only ? "frames" : "pictures";
+  const Count count(a.quiet, noun);
   options.after_picture = count;
   options.while_rendering = [] { return !stop_asked(); };
   if (!a.quiet) options.warn = print_diagnostics;
@@ -62,10 +64,10 @@ int film_of(const FilmArguments& a) {
   const FilmReport r = make_film(options);
   count.finish();
   if (!a.quiet)
-    print_out("{}{} pictures in {}\nwrote {}\n{}", r.interrupted ? "interrupted after " : "",
-              r.pictures.size(), duration(r.seconds),
+    print_out("{}{} {} in {}\nwrote {}\n{}", r.interrupted ? "interrupted after " : "",
+              r.pictures.size(), noun, duration(r.seconds),
               r.pictures.empty() ? "" : r.pictures.back().string(),
-              a.video.empty() ? "" : "wrote " + a.video + "\n");
+              !options.video || options.scene_only ? "" : "wrote " + a.video + "\n");
   return r.interrupted ? interrupted : done;
 }
 
@@ -100,11 +102,22 @@ void add_film(Program& program) {
   film.option("--samples", a->options.samples,
               "light paths per pixel; more is less noisy and slower (default: 32)")
       .range(1, 65536);
+  film.option("--shutter", a->shutter,
+              "seconds of motion in a picture; 0 is none (default: a quarter of the time between "
+              "pictures, at most 0.004)")
+      .value("SECONDS")
+      .range(0.0, 1e9);
+  film.option("--material", a->options.materials,
+              "the look of a liquid or a body, such as liquid=milk or rabbit=metal")
+      .value("NAME=PRESET")
+      .repeatable_value();
   a->keys.add_to(film, "a key of camera");
   film.option("--output", a->output, "the folder of the pictures (default: DIR/film)")
       .value("FOLDER");
   film.flag("--overwrite", a->options.overwrite, "replace existing pictures");
   film.flag("--keep", a->options.keep, "keep the folder scene/ that Blender reads");
+  film.flag("--scene-only", a->options.scene_only,
+            "write the folder scene/ for the add-on, and no pictures");
   film.option("--threads", a->options.threads, "threads (default: all)").at_least(1);
   film.flag("--quiet", a->quiet, "print nothing but errors");
   add_video(film, *a);

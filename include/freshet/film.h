@@ -22,7 +22,13 @@ struct FilmOptions {
   std::int64_t every = 1;           ///< else the data files whose numbers are multiples of it
   int width = 960, height = 540;    ///< of a picture [px]
   int samples = 32;                 ///< light paths per pixel, at most
-  int threads = 0;                  ///< 0: as many as the machine has
+  /// Seconds of motion in a picture; 0 for none. Default: a quarter of the time between two
+  /// pictures, at most 0.004 s.
+  std::optional<double> shutter;
+  /// Such as "liquid=milk", "liquid1=oil,ior=1.4" or "rabbit=metal"; docs/film.md lists them.
+  std::vector<std::string> materials;
+  bool scene_only = false;  ///< write the folder scene/ without pictures and keep it
+  int threads = 0;          ///< 0: as many as the machine has
   std::optional<VideoOptions> video;
   /// Called after every picture with the number done and the total. Returning false stops;
   /// finished pictures stay.
@@ -35,7 +41,7 @@ struct FilmOptions {
 };
 
 struct FilmReport {
-  std::vector<std::filesystem::path> pictures;
+  std::vector<std::filesystem::path> pictures;  ///< with scene_only: frame_0000.json ...
   bool interrupted = false;
   double seconds = 0;  ///< total wall time
 };
@@ -46,11 +52,12 @@ struct FilmReport {
 /// file.
 ///
 /// The folder output/scene holds what Blender reads: scene.json, frame_0000.json ..., and meshes as
-/// *.glb. It is removed at the end unless `keep` is set.
+/// *.glb. It is removed at the end unless `keep` or `scene_only` is set. With `scene_only`, Blender
+/// is not needed: the add-on in integrations/blender imports the folder.
 ///
 /// Throws Error (kind scene) as make_surfaces and render do, if an option is out of range, if PATH
-/// has no program `blender`, or if no frame is chosen. Throws Error (kind run) with the last lines
-/// of its output if Blender fails, and if a file cannot be written.
+/// has no program `blender` (unless scene_only), or if no frame is chosen. Throws Error (kind run)
+/// with the last lines of its output if Blender fails, and if a file cannot be written.
 FilmReport make_film(const FilmOptions& options);
 
 }  // namespace freshet

@@ -41,7 +41,7 @@ enum class ColorBy {
 enum class ColorScale { run, picture };
 enum class ColorMap { article, water, viridis, inferno, coolwarm };
 enum class WhenWrong { stop, warn };
-enum class DataFormat { vtp, ply, csv, hdf5 };
+enum class DataFormat { vtp, ply, csv, hdf5, bgeo };
 enum class DataField { velocity, density, pressure, id };
 enum class Precision { float32, float16 };
 enum class BodyMotion { fixed, moved, free };

@@ -20,20 +20,6 @@ template <class T> void append(std::string& bytes, T value) {
 
 constexpr const char* axes[] = {"x", "y", "z"};
 
-/// Calls use(value) for the numbers of point i: 3 of a vector in space, else as many as there are.
-template <class Use>
-void numbers_at(const PointColumn& column, std::size_t i, std::size_t dimension,
-                std::size_t of_vectors, const Use& use) {
-  std::visit(
-      [&](const auto* values) {
-        using T = typename std::remove_cvref_t<decltype(*values)>::value_type;
-        if (!column.vectors) return use((*values)[i]);
-        for (std::size_t k = 0; k < of_vectors; ++k)
-          use(k < dimension ? (*values)[i * dimension + k] : T(0));
-      },
-      column.values);
-}
-
 bool is_id(const PointColumn& column) {
   return std::holds_alternative<const std::vector<std::uint64_t>*>(column.values);
 }

@@ -30,6 +30,14 @@ inline std::string encode_csv(const Frame& frame, const DataFields& fields = {})
   return encode_csv(table_of(frame, fields));
 }
 
+/// Houdini's classic bgeo of version 5, big-endian: positions, and the point attributes v, density,
+/// pressure, id, pscale and liquid. It has no time. Throws Error (kind run) if an id needs more
+/// than 31 bits.
+std::string encode_bgeo(const PointTable& table);
+inline std::string encode_bgeo(const Frame& frame, const DataFields& fields = {}) {
+  return encode_bgeo(table_of(frame, fields));
+}
+
 /// HDF5: position and velocity (N × D), density, pressure, id (u64), each with its unit as
 /// attribute; time [s], step and dimension as attributes of the file. With `half`, a field with a
 /// magnitude above 65504 still has 4 bytes. The position always has 4 bytes.

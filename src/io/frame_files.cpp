@@ -34,6 +34,7 @@ std::string picture_name(const FrameFile& frame) {
 
 std::vector<FrameFile> frame_files(const fs::path& run_folder) {
   for (const FrameFormat& format : frame_formats()) {
+    if (!format.decode) continue;
     std::vector<FrameFile> files;
     std::error_code ec;  // a missing folder has no files
     for (const auto& entry : fs::directory_iterator(run_folder / "data", ec))
@@ -49,7 +50,7 @@ std::vector<FrameFile> frame_files(const fs::path& run_folder) {
 Frame frame_in(std::string_view bytes, const fs::path& file, DataFields* stored) {
   DataFields unused;
   for (const FrameFormat& format : frame_formats())
-    if (file.extension() == format.extension)
+    if (format.decode && file.extension() == format.extension)
       return format.decode(bytes, file.string(), stored ? *stored : unused);
   FilePlace(file.string()).fail("not *.h5, *.vtp, *.ply or *.csv; name a data file of a run");
 }

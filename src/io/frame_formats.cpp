@@ -22,6 +22,7 @@ constexpr FrameFormat formats[] = {
     {DataFormat::vtp, ".vtp", encode_vtp, decode_by<read_vtk_xml>},
     {DataFormat::ply, ".ply", encode_ply, decode_by<read_ply>},
     {DataFormat::csv, ".csv", encode_csv, decode_csv},
+    {DataFormat::bgeo, ".bgeo", encode_bgeo, nullptr},
 };
 
 const FrameFormat& entry_of(DataFormat format) {

@@ -13,7 +13,8 @@ struct FrameFormat {
   DataFormat format;
   const char* extension;  ///< such as ".vtp"
   std::string (*encode)(const PointTable& table);
-  /// Sets `stored` to the fields that the bytes have. Throws Error (kind scene) at `file`.
+  /// Null for a format without times, whose files are not read. Sets `stored` to the fields that
+  /// the bytes have. Throws Error (kind scene) at `file`.
   Frame (*decode)(std::string_view bytes, const std::string& file, DataFields& stored);
 };
 

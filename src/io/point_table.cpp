@@ -19,7 +19,7 @@ DataFields::DataFields(const Scene::Output& output) : half(output.precision == P
 
 PointTable table_of(const Frame& frame, const DataFields& fields) {
   const Units units = units_in(frame.dimension);
-  PointTable table{frame.time, frame.step, frame.dimension, frame.x, {}};
+  PointTable table{frame.time, frame.step, frame.dimension, frame.x, {}, fields.pscale};
   const auto add = [&](bool wanted, PointColumn column) {
     if (wanted) table.columns.push_back(column);
   };
@@ -31,7 +31,7 @@ PointTable table_of(const Frame& frame, const DataFields& fields) {
   return table;
 }
 
-PointTable whitewater_table(const Frame& frame) {
+PointTable whitewater_table(const Frame& frame, float pscale) {
   const Units units = units_in(frame.dimension);
   const WhitewaterFrame& w = frame.whitewater;
   return {frame.time,
@@ -41,7 +41,8 @@ PointTable whitewater_table(const Frame& frame) {
           {{"velocity", units.speed, &w.v, true},
            {"id", "1", &w.id},
            {"kind", "1", &w.kind},
-           {"age", "s", &w.age}}};
+           {"age", "s", &w.age}},
+          0.4f * pscale};
 }
 
 }  // namespace freshet

@@ -10,15 +10,20 @@ namespace freshet {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double view_margin = 0.06;                   // fraction of the picture
+constexpr double view_margin = 0.06;  // fraction of the picture
 
-Point middle_of(const Scene& s) { return 0.5 * (point_of(s.domain.min) + point_of(s.domain.max)); }
+/// A scene, and the box that its cameras see by default.
+struct Sight {
+  const Scene& scene;
+  const Bounds& seen;
 
-template <class F> void each_corner(const Scene& s, F f) {
-  const Point low = point_of(s.domain.min), high = point_of(s.domain.max);
-  for (int k = 0; k < 8; ++k)
-    f({k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z});
-}
+  Point middle() const { return 0.5 * (seen.low + seen.high); }
+  template <class F> void each_corner(F f) const {
+    for (int k = 0; k < 8; ++k)
+      f({k & 1 ? seen.high.x : seen.low.x, k & 2 ? seen.high.y : seen.low.y,
+         k & 4 ? seen.high.z : seen.low.z});
+  }
+};
 
 /// Rotates p about the vertical, to the right for a viewer who looks at the origin.
 Point turned(Point p, double angle) {
@@ -26,14 +31,14 @@ Point turned(Point p, double angle) {
   return {p.x * c + p.z * s, p.y, p.z * c - p.x * s};
 }
 
-/// The distance from `target` at which an eye in the direction `towards` sees the whole domain [m].
-double distance_for(const Scene& s, Point target, Point towards, double field_of_view) {
+/// The distance from `target` at which an eye in the direction `towards` sees the whole box [m].
+double distance_for(const Sight& s, Point target, Point towards, double field_of_view) {
   const View view({target + towards, target, field_of_view}, 1, 1);
   const double up = (1 - 2 * view_margin) * std::tan(field_of_view * degree / 2);
-  const PictureLayout layout = picture_layout(s);
+  const PictureLayout layout = picture_layout(s.scene);
   const double across = up * double(layout.view.width) / double(layout.view.height);
   double distance = 0;
-  each_corner(s, [&](Point corner) {
+  s.each_corner([&](Point corner) {
     const Point q = corner - target;
     const double beyond =
         std::max(std::abs(dot(q, view.right)) / across, std::abs(dot(q, view.up)) / up);
@@ -42,9 +47,9 @@ double distance_for(const Scene& s, Point target, Point towards, double field_of
   return distance;
 }
 
-/// The default position of a camera. That of an orbiting camera sees the whole domain from every
+/// The default position of a camera. That of an orbiting camera sees the whole box from every
 /// angle.
-Point place_for(const Scene& s, const Scene::Camera& c, Point target) {
+Point place_for(const Sight& s, const Scene::Camera& c, Point target) {
   const Point front{0, std::sin(camera_from_above), std::cos(camera_from_above)};
   const int steps = c.orbit == 0 ? 1 : 36;
   double distance = 0;
@@ -55,13 +60,13 @@ Point place_for(const Scene& s, const Scene::Camera& c, Point target) {
   return target + distance * turned(front, camera_from_right);
 }
 
-/// The target that centres the corners of the domain in the picture.
-Point centered(const Scene& s, const Scene::Camera& c) {
-  Point target = middle_of(s);
+/// The target that centres the corners of the box in the picture.
+Point centered(const Sight& s, const Scene::Camera& c) {
+  Point target = s.middle();
   for (int round = 0; round < 6; ++round) {  // a fixed-point iteration
     const View view({place_for(s, c, target), target, c.field_of_view}, 2, 2);
     double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
-    each_corner(s, [&](Point corner) {
+    s.each_corner([&](Point corner) {
       const auto seen = view(corner);
       left = std::min(left, seen.x - 1);
       right = std::max(right, seen.x - 1);
@@ -75,9 +80,9 @@ Point centered(const Scene& s, const Scene::Camera& c) {
   return target;
 }
 
-Pose pose_of(const Scene& s, const Scene::Camera& c) {
+Pose pose_of(const Sight& s, const Scene::Camera& c) {
   const bool free = c.target.empty() && c.position.empty() && c.orbit == 0;
-  const Point target = free ? centered(s, c) : c.target.empty() ? middle_of(s) : point_of(c.target);
+  const Point target = free ? centered(s, c) : c.target.empty() ? s.middle() : point_of(c.target);
   return {c.position.empty() ? place_for(s, c, target) : point_of(c.position), target,
           c.field_of_view};
 }
@@ -108,8 +113,8 @@ class Path {
   double step_, t_;
 };
 
-Pose between_key_frames(const Scene& s, double time) {
-  const Path path(s, time);
+Pose between_key_frames(const Sight& s, double time) {
+  const Path path(s.scene, time);
   const auto point = [&](auto place) {
     return Point{path([&](const Scene::Camera& c) { return place(c).x; }),
                  path([&](const Scene::Camera& c) { return place(c).y; }),
@@ -123,10 +128,15 @@ Pose between_key_frames(const Scene& s, double time) {
 }  // namespace
 
 Pose pose_at(const Scene& scene, double time) {
-  if (scene.camera.empty()) return pose_of(scene, {});
-  if (scene.camera.size() > 1) return between_key_frames(scene, time);
+  return pose_at(scene, time, {point_of(scene.domain.min), point_of(scene.domain.max)});
+}
+
+Pose pose_at(const Scene& scene, double time, const Bounds& seen) {
+  const Sight sight{scene, seen};
+  if (scene.camera.empty()) return pose_of(sight, {});
+  if (scene.camera.size() > 1) return between_key_frames(sight, time);
   const Scene::Camera& c = scene.camera[0];
-  Pose pose = pose_of(scene, c);
+  Pose pose = pose_of(sight, c);
   pose.eye = pose.target + turned(pose.eye - pose.target, c.orbit * degree * time);
   return pose;
 }

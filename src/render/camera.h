@@ -11,6 +11,11 @@ using Point = Vec<3, double>;
 
 inline Point point_of(const Vector& v) { return {v[0], v[1], v[2]}; }
 
+/// The corners of a box.
+struct Bounds {
+  Point low, high;
+};
+
 /// The position and direction of the camera of a 3D scene at one time.
 struct Pose {
   Point eye, target;
@@ -21,6 +26,8 @@ struct Pose {
 /// key frames. A camera without a position is placed in front, to the right and above, where it
 /// sees the whole domain.
 Pose pose_at(const Scene& scene, double time);
+/// The pose of a camera that sees the box `seen` where pose_at sees the whole domain.
+Pose pose_at(const Scene& scene, double time, const Bounds& seen);
 
 /// The perspective projection of points to a picture, with y up.
 class View {

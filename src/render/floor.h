@@ -12,10 +12,7 @@ namespace freshet {
 /// The unit vector towards the light.
 Point light_direction();
 
-/// The corners of a bounding box. The solid must not be a plane.
-struct Bounds {
-  Point low, high;
-};
+/// The bounding box. The solid must not be a plane.
 Bounds bounds_of(const Solid<3, double>& solid);
 
 /// The shadows of the fluid and of solids on the bottom of the domain, with soft edges.

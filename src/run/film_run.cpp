@@ -40,6 +40,9 @@ void check_options(const FilmOptions& options) {
   if (options.at && !(*options.at >= 0 && std::isfinite(*options.at)))
     throw Error(Error::Kind::scene, fmt::format("option at {}", *options.at),
                 "it must be a time from 0 on, in seconds");
+  if (options.shutter && !(*options.shutter >= 0 && std::isfinite(*options.shutter)))
+    throw Error(Error::Kind::scene, fmt::format("option shutter {}", *options.shutter),
+                "it must be 0 or more, in seconds");
   if (options.video) check_video(options.video->file, options.video->fps, options.overwrite);
 }
 
@@ -95,6 +98,37 @@ std::vector<FrameFile> chosen_frames(const FilmOptions& options, const FinishedR
   return chosen;
 }
 
+/// What the chosen frames show. The time of a frame beside a single one bounds the shutter.
+FilmView view_of(const Scene& scene, const FinishedRun& run, const std::vector<FrameFile>& chosen) {
+  FilmViewer viewer(scene);
+  if (chosen.size() == 1 && run.files().size() > 1) {
+    const auto& all = run.files();
+    const auto at = std::find(all.begin(), all.end(), chosen.front());
+    viewer.add_time(run.read(at == all.begin() ? *(at + 1) : *(at - 1)).time);
+  }
+  for (const FrameFile& file : chosen) viewer.add(run.read(file));
+  return viewer.view();
+}
+
+/// The files of foam and spray of a frame, in RUN/whitewater or RUN/data/whitewater: their names
+/// end with the number of the data file.
+std::vector<std::string> whitewater_files(const fs::path& run, std::int64_t number) {
+  std::vector<std::string> all;
+  for (const char* folder : {"whitewater", "data/whitewater"}) {
+    std::error_code ec;
+    for (const fs::directory_entry& entry : fs::directory_iterator(run / folder, ec)) {
+      const std::string extension = entry.path().extension().string();
+      if ((extension == ".ply" || extension == ".vtp") &&
+          entry.path().stem().string().ends_with(fmt::format("_{:04}", number)))
+        all.push_back(fs::absolute(entry.path()).lexically_normal().string());
+    }
+    if (!all.empty()) break;
+  }
+  std::sort(all.begin(), all.end());
+  if (all.size() > 1) all.resize(1);  // the same points in two formats
+  return all;
+}
+
 /// The last lines of a program's output, in one line.
 std::string last_lines(const std::string& output) {
   constexpr std::size_t most = 6;
@@ -112,19 +146,24 @@ std::string last_lines(const std::string& output) {
 /// Renders frames, one at a time.
 class FilmSeries {
  public:
-  FilmSeries(const FilmOptions& options, const Scene& scene, const std::vector<FrameFile>& frames)
+  FilmSeries(const FilmOptions& options, const Scene& scene, const FilmLook& look,
+             const std::vector<FrameFile>& frames)
       : options_(options),
         scene_(scene),
+        look_(look),
         pictures_(options.run, options.output, "film"),
         folder_(options.run, options.output.empty() ? options.output : options.output / "scene",
                 "film/scene") {
+    if (options.overwrite) return;
     std::vector<std::string> names;
-    for (const FrameFile& frame : frames) names.push_back(picture_name(frame));
-    if (!options.overwrite) pictures_.refuse_existing(names, "pictures");
+    for (const FrameFile& frame : frames)
+      names.push_back(options.scene_only ? film_frame_file(frame.number) : picture_name(frame));
+    if (options.scene_only) folder_.refuse_existing(names, "scenes for Blender");
+    else pictures_.refuse_existing(names, "pictures");
   }
   /// Removes the scene folder unless it is kept.
   ~FilmSeries() {
-    if (options_.keep) return;
+    if (options_.keep || options_.scene_only) return;
     try {
       for (const std::string& name : common_) folder_.remove(name);
       remove_frame();
@@ -138,8 +177,7 @@ class FilmSeries {
 
   void write_scene() {
     for (const auto& [name, bytes] : encode_film_solids(scene_)) write(name, bytes, common_);
-    write(film_scene_file,
-          encode_film_scene(scene_, {options_.width, options_.height, options_.samples}), common_);
+    write(film_scene_file, encode_film_scene(scene_, look_), common_);
   }
 
   /// Returns the picture, or nothing if the film was stopped.
@@ -150,6 +188,21 @@ class FilmSeries {
     remove_frame();
     return image;
   }
+  /// Writes the files that Blender reads, and returns the path of frame_0007.json.
+  fs::path write_frame(const Frame& frame, const FrameFile& file) {
+    of_frame_.clear();
+    const std::size_t liquids = scene_.liquids().size();
+    for (std::size_t k = 0; k < liquids; ++k) {
+      const Frame part = liquids > 1 ? liquid_part(frame, int(k)) : frame;
+      const SurfaceMesh mesh = surface_of_frame(scene_, part, file.path, {}, options_.threads);
+      write(film_surface_file(k, file.number), encode_surface_glb(mesh, {frame.time, frame.step}),
+            of_frame_);
+    }
+    const FilmMoment moment{file.number, whitewater_files(options_.run, file.number)};
+    write(film_frame_file(file.number), encode_film_frame(scene_, frame, moment, look_.view),
+          of_frame_);
+    return folder_.path() / film_frame_file(file.number);
+  }
   fs::path write(const FrameFile& file, const Image& image) const {
     return pictures_.write(picture_name(file), encode_png(image));
   }
@@ -158,16 +211,6 @@ class FilmSeries {
   void write(const std::string& name, const std::string& bytes, std::vector<std::string>& names) {
     names.push_back(name);
     folder_.write(name, bytes);
-  }
-  void write_frame(const Frame& frame, const FrameFile& file) {
-    const std::size_t liquids = scene_.liquids().size();
-    for (std::size_t k = 0; k < liquids; ++k) {
-      const Frame part = liquids > 1 ? liquid_part(frame, int(k)) : frame;
-      const SurfaceMesh mesh = surface_of_frame(scene_, part, file.path, {}, options_.threads);
-      write(film_surface_file(k, file.number), encode_surface_glb(mesh, {frame.time, frame.step}),
-            of_frame_);
-    }
-    write(film_frame_file(file.number), encode_film_frame(scene_, frame, file.number), of_frame_);
   }
   void remove_frame() {
     folder_.remove(rendered);
@@ -215,10 +258,39 @@ class FilmSeries {
   static constexpr std::size_t most_output = 4000;
   const FilmOptions& options_;
   const Scene& scene_;
+  const FilmLook& look_;
   ResultFolder pictures_, folder_;
   std::vector<std::string> common_, of_frame_;  // files of all frames, and of this one
   std::string output_;                          // of Blender
 };
+
+}  // namespace
+
+namespace {
+
+/// Makes the pictures of a film, or only its scene folder.
+void make_frames(FilmSeries& film, const FilmOptions& options, const FinishedRun& run,
+                 const std::vector<FrameFile>& frames, FilmReport& report) {
+  std::optional<FrameVideo> video;
+  if (options.video && !options.scene_only)
+    video.emplace(options.width, options.height, *options.video);
+  for (const FrameFile& file : frames) {
+    const Frame frame = run.read(file);
+    if (options.scene_only) {
+      report.pictures.push_back(film.write_frame(frame, file));
+    } else {
+      const std::optional<Image> image = film.render(frame, file);
+      report.interrupted = !image;
+      if (report.interrupted) break;
+      report.pictures.push_back(film.write(file, *image));
+      if (video) video->add(*image, frame.time);
+    }
+    report.interrupted =
+        options.after_picture && !options.after_picture(report.pictures.size(), frames.size());
+    if (report.interrupted) break;
+  }
+  if (video && !report.pictures.empty()) video->finish();
+}
 
 }  // namespace
 
@@ -227,30 +299,23 @@ FilmReport make_film(const FilmOptions& options) {
   check_options(options);
   thread_count(options.threads);  // throws for too many
   const Scene scene = scene_of_film(options);
+  const FilmMaterials materials = film_materials(scene, options.materials);
   const FinishedRun run(options.run, scene, "make a film of");
-  require_blender(options.script);
+  if (!options.scene_only) require_blender(options.script);
   const std::vector<FrameFile> frames = chosen_frames(options, run);
   if (const auto gaps = gaps_in(frames, "they get no picture, and the others keep their numbers", 0,
                                 options.every);
       options.warn && !options.at && !gaps.empty())
     options.warn(gaps);
-  FilmSeries film(options, scene, frames);
+  const FilmView view = view_of(scene, run, frames);
+  const FilmLook look{
+      {options.width, options.height, options.samples, options.shutter.value_or(view.shutter)},
+      view,
+      materials};
+  FilmSeries film(options, scene, look, frames);
   film.write_scene();
-  std::optional<FrameVideo> video;
-  if (options.video) video.emplace(options.width, options.height, *options.video);
   FilmReport report;
-  for (const FrameFile& file : frames) {
-    const Frame frame = run.read(file);
-    const std::optional<Image> image = film.render(frame, file);
-    report.interrupted = !image;
-    if (report.interrupted) break;
-    report.pictures.push_back(film.write(file, *image));
-    if (video) video->add(*image, frame.time);
-    report.interrupted =
-        options.after_picture && !options.after_picture(report.pictures.size(), frames.size());
-    if (report.interrupted) break;
-  }
-  if (video && !report.pictures.empty()) video->finish();
+  make_frames(film, options, run, frames, report);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

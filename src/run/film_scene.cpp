@@ -20,8 +20,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr Color wall_color{176, 172, 166};
 
-std::string hex(Color c) { return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b); }
-
 Json json_of(Point p) { return Json{p.x, p.y, p.z}; }
 
 /// A body or a wall as a picture shows it.
@@ -68,7 +66,7 @@ Json json_of(const std::vector<Part>& parts) {
   for (const Part& part : parts)
     all.push_back({{"name", part.name},
                    {"mesh", part.file},
-                   {"color", hex(part.color)},
+                   {"color", hex_code(part.color)},
                    {"around", part.around}});
   return all;
 }
@@ -94,25 +92,36 @@ SurfaceMesh with_normals(const TriangleMesh& mesh) {
   return all;
 }
 
-/// The liquids. One alone without a colour has none: it is shown as water.
-Json json_of_liquids(const Scene& scene) {
+Json json_of_liquids(const Scene& scene, const std::vector<LiquidMaterial>& materials) {
   Json all = Json::array();
   const auto liquids = scene.liquids();
-  const std::vector<Color> colors = liquid_colors(scene);
-  for (std::size_t k = 0; k < liquids.size(); ++k) {
-    const bool water = liquids.size() == 1 && liquids[k].color.empty();
-    all.push_back({{"color", water ? Json() : Json(hex(colors[k]))},
+  for (std::size_t k = 0; k < liquids.size(); ++k)
+    all.push_back({{"color", materials[k].color},
+                   {"ior", materials[k].ior},
+                   {"absorption", materials[k].absorption},
+                   {"scattering", materials[k].scattering},
+                   {"roughness", materials[k].roughness},
                    {"rest_density", liquids[k].rest_density},
                    {"viscosity", liquids[k].viscosity}});
-  }
   return all;
 }
 
-/// Which sides of the domain are walls: x_min, x_max, y_min, y_max, z_min, z_max.
-Json json_of_sides(const Scene& scene) {
+/// Which sides of the domain are walls that the liquid touches: x_min, x_max, y_min, ...
+Json json_of_sides(const Scene& scene, const FilmView& view) {
   Json all = Json::array();
   for (int side = 0; side < 6; ++side)
-    all.push_back(!scene.periodic(side / 2) && !scene.is_open(side));
+    all.push_back(!scene.periodic(side / 2) && !scene.is_open(side) &&
+                  view.touched[std::size_t(side)]);
+  return all;
+}
+
+Json json_of_bodies(const Scene& scene, const std::vector<BodyMaterial>& materials) {
+  Json all = json_of(body_parts(scene));
+  for (std::size_t k = 0; k < materials.size(); ++k) {
+    const BodyMaterial& m = materials[k];
+    all[k]["color"] = m.color;
+    all[k]["material"] = {{"kind", m.kind}, {"roughness", m.roughness}, {"ior", m.ior}};
+  }
   return all;
 }
 
@@ -124,17 +133,22 @@ std::string film_surface_file(std::size_t liquid, std::int64_t number) {
   return fmt::format("liquid{}_{:04}.glb", liquid, number);
 }
 
-std::string encode_film_scene(const Scene& scene, const FilmPicture& picture) {
-  const Json json{{"format", 1},
-                  {"width", picture.width},
-                  {"height", picture.height},
-                  {"samples", picture.samples},
+std::string encode_film_scene(const Scene& scene, const FilmLook& look) {
+  const FilmView& view = look.view;
+  const Json json{{"format", 2},
+                  {"title", scene.title},
+                  {"width", look.picture.width},
+                  {"height", look.picture.height},
+                  {"samples", look.picture.samples},
+                  {"shutter", look.picture.shutter},
                   {"spacing", scene.particles.spacing},
                   {"domain", {{"min", scene.domain.min}, {"max", scene.domain.max}}},
-                  {"walls_of_domain", json_of_sides(scene)},
-                  {"liquids", json_of_liquids(scene)},
+                  {"seen", {{"min", json_of(view.seen.low)}, {"max", json_of(view.seen.high)}}},
+                  {"walls_of_domain", json_of_sides(scene, view)},
+                  {"tank_top", view.tank_top},
+                  {"liquids", json_of_liquids(scene, look.materials.liquids)},
                   {"walls", json_of(wall_parts(scene))},
-                  {"bodies", json_of(body_parts(scene))}};
+                  {"bodies", json_of_bodies(scene, look.materials.bodies)}};
   return json.dump(2) + "\n";
 }
 
@@ -150,16 +164,21 @@ std::map<std::string, std::string> encode_film_solids(const Scene& scene) {
   return all;
 }
 
-std::string encode_film_frame(const Scene& scene, const Frame& frame, std::int64_t number) {
-  const Pose pose = pose_at(scene, frame.time);
+std::string encode_film_frame(const Scene& scene, const Frame& frame, const FilmMoment& moment,
+                              const FilmView& view) {
+  const Pose pose = pose_at(scene, frame.time, view.seen);
   Json surfaces = Json::array(), bodies = Json::array();
   for (std::size_t k = 0; k < scene.liquids().size(); ++k)
-    surfaces.push_back(film_surface_file(k, number));
+    surfaces.push_back(film_surface_file(k, moment.number));
   for (const BodyState& body : frame.bodies)
-    bodies.push_back({{"position", body.position}, {"orientation", body.orientation}});
+    bodies.push_back({{"position", body.position},
+                      {"orientation", body.orientation},
+                      {"velocity", body.velocity},
+                      {"angular_velocity", body.angular_velocity}});
   const Json json{{"time", frame.time},
                   {"step", frame.step},
                   {"surfaces", surfaces},
+                  {"whitewater", moment.whitewater},
                   {"bodies", bodies},
                   {"camera",
                    {{"position", json_of(pose.eye)},

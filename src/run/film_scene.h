@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The files that integrations/blender/render_film.py reads. docs/film.md describes them.
+/// The files that integrations/blender reads. docs/film.md describes them.
 #pragma once
 #include <map>
 #include <string>
@@ -7,11 +7,27 @@
 
 #include "freshet/frame.h"
 #include "freshet/scene.h"
+#include "run/film_materials.h"
+#include "run/film_view.h"
 
 namespace freshet {
 
 struct FilmPicture {
   int width, height, samples;
+  double shutter;  ///< seconds of motion in a picture
+};
+
+/// What a film's frames share.
+struct FilmLook {
+  FilmPicture picture;
+  FilmView view;
+  FilmMaterials materials;
+};
+
+/// A frame of a film.
+struct FilmMoment {
+  std::int64_t number;                  ///< of its data file
+  std::vector<std::string> whitewater;  ///< its files of foam and spray
 };
 
 inline constexpr const char* film_scene_file = "scene.json";
@@ -21,11 +37,12 @@ std::string film_frame_file(std::int64_t number);
 std::string film_surface_file(std::size_t liquid, std::int64_t number);
 
 /// scene.json: everything that is the same in all frames.
-std::string encode_film_scene(const Scene& scene, const FilmPicture& picture);
+std::string encode_film_scene(const Scene& scene, const FilmLook& look);
 /// The meshes that scene.json names, by their file names: bodies about their centres of mass, and
 /// walls that are in the domain. Infinite planes and walls around the fluid are excluded.
 std::map<std::string, std::string> encode_film_solids(const Scene& scene);
-/// frame_0007.json: time, surfaces, camera and poses of the bodies.
-std::string encode_film_frame(const Scene& scene, const Frame& frame, std::int64_t number);
+/// frame_0007.json: time, surfaces, files of whitewater, camera and poses of the bodies.
+std::string encode_film_frame(const Scene& scene, const Frame& frame, const FilmMoment& moment,
+                              const FilmView& view);
 
 }  // namespace freshet

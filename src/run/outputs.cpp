@@ -263,9 +263,10 @@ class DataFiles final : public Output {
     site_.tables.flush();  // bodies.csv has the bodies of a data file before the file exists
     site_.background.add([site = site_, times, frame = site_.frames.at(time)] {
       const Scene& scene = site.sim.scene();
-      write_files(site, times, &data_file, table_of(*frame, DataFields(scene.output)), pvd_file);
+      write_files(site, times, &data_file, table_of(*frame, DataFields(scene)), pvd_file);
       if (scene.whitewater)
-        write_files(site, times, &whitewater_file, whitewater_table(*frame), whitewater_pvd_file);
+        write_files(site, times, &whitewater_file,
+                    whitewater_table(*frame, DataFields(scene).pscale), whitewater_pvd_file);
     });
   }
   /// The last files of a series, which has these times.

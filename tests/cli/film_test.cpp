@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// `freshet film`, with a script in the place of Blender.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -102,7 +103,10 @@ TEST_F(FilmCommand, WritesTheSceneThatBlenderReads) {
   EXPECT_EQ(all["height"], 36);
   EXPECT_EQ(all["samples"], 3);
   EXPECT_EQ(all["domain"]["max"], Json({2, 2, 2}));
-  EXPECT_EQ(all["walls_of_domain"], Json({true, true, true, true, true, true}));
+  EXPECT_EQ(all["walls_of_domain"], Json({false, false, false, false, false, false}));
+  EXPECT_EQ(all["format"], 2);
+  EXPECT_EQ(all["shutter"], 0.004);
+  EXPECT_NEAR(all["seen"]["max"][0], 1.5 + 0.3 / 2, 0.2);
   EXPECT_EQ(all["liquids"].size(), 2);
   EXPECT_EQ(all["liquids"][1]["rest_density"], 800);
   EXPECT_EQ(all["bodies"][0]["name"], "ball");
@@ -119,6 +123,31 @@ TEST_F(FilmCommand, WritesTheSceneThatBlenderReads) {
   EXPECT_EQ(ball["nodes"][0]["name"], "ball");
   const Json liquid = document_of(read_text(scene / "liquid1_0001.glb"));
   EXPECT_GT(liquid["accessors"][0]["count"], 100);
+}
+
+TEST_F(FilmCommand, WritesOnlyTheSceneWithoutBlender) {
+  write_text(run / "whitewater/foam_0001.ply", "ply\n");
+  const auto only = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"film", run.string(), "--scene-only"});
+    return freshet(more, {.environment = {"PATH=/nowhere"}});
+  };
+  const auto r = only({"--material", "liquid1=milk", "--shutter", "0.02"});
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_TRUE(contains(r.out, "3 frames in ")) << r.out;
+  EXPECT_TRUE(contains(r.out, "wrote " + (run / "film/scene/frame_0002.json").string())) << r.out;
+  const fs::path scene = run / "film/scene";
+  const Json all = Json::parse(read_text(scene / "scene.json"));
+  EXPECT_EQ(all["shutter"], 0.02);
+  EXPECT_EQ(all["liquids"][1]["scattering"], 1);
+  EXPECT_EQ(all["liquids"][0]["scattering"], 0);
+  const auto foam = [&](int k) {
+    return Json::parse(read_text(scene / fmt::format("frame_{:04}.json", k)))["whitewater"];
+  };
+  EXPECT_EQ(foam(0), Json::array());
+  EXPECT_EQ(foam(1), Json::array({(run / "whitewater/foam_0001.ply").string()}));
+  expect_refused(only({}), "this folder holds scenes for Blender; --overwrite replaces them");
+  expect_refused(only({"--overwrite", "--material", "liquid=mlik"}),
+                 "--material liquid=mlik: error: unknown material \"mlik\"");
 }
 
 TEST_F(FilmCommand, TakesChosenFrames) {

@@ -28,11 +28,11 @@ void expect_size(const Frame& frame, DataFormat format, const std::vector<DataFi
                  Precision precision) {
   Scene scene;
   scene.domain.max = Vector(std::size_t(frame.dimension), 1.0);
+  scene.particles.spacing = 0.006;
   scene.output.data = {format};
   scene.output.fields = fields;
   scene.output.precision = precision;
-  const double size =
-      double(encode_points(format, table_of(frame, DataFields(scene.output))).size());
+  const double size = double(encode_points(format, table_of(frame, DataFields(scene))).size());
   EXPECT_NEAR(1, data_bytes(scene, double(frame.size())) / size,
               format == DataFormat::csv ? 0.15 : 0.01)
       << data_file(format, 0) << " of " << frame.size() << " particles in " << frame.dimension
@@ -46,7 +46,7 @@ TEST(DataBytes, PredictTheSizeOfFiles) {
        {dam("[1, 1]", "[0.5, 0.8]", 0.006), dam("[1, 1, 1]", "[0.5, 0.8, 0.8]", 0.03)})
     for (const auto& fields : {all, std::vector{DataField::velocity}, std::vector<DataField>()}) {
       for (const DataFormat format :
-           {DataFormat::vtp, DataFormat::ply, DataFormat::csv, DataFormat::hdf5})
+           {DataFormat::vtp, DataFormat::ply, DataFormat::csv, DataFormat::hdf5, DataFormat::bgeo})
         expect_size(frame, format, fields, Precision::float32);
       expect_size(frame, DataFormat::hdf5, fields, Precision::float16);
     }

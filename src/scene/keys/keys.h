@@ -43,7 +43,7 @@ inline constexpr const char* wrong_words[] = {"stop", "warn"};
 inline constexpr const char* method_words[] = {"open",  "reflection", "monaghan2009",
                                                "ghost", "akinci2012", "adami2012"};
 inline constexpr const char* slip_words[] = {"free_slip", "no_slip"};
-inline constexpr const char* data_words[] = {"vtp", "ply", "csv", "hdf5"};
+inline constexpr const char* data_words[] = {"vtp", "ply", "csv", "hdf5", "bgeo"};
 inline constexpr const char* field_words[] = {"velocity", "density", "pressure", "id"};
 inline constexpr const char* precision_words[] = {"float32", "float16"};
 inline constexpr const char* dots_words[] = {"glow", "solid"};

@@ -8,7 +8,7 @@ void data_keys(KeyVisitor& v, Scene::Output& o) {
   v.choices("data", o.data, data_words,
             {.unit = "",
              .text = "formats of data files: `vtp` (ParaView, with a `*.pvd` of all times), `ply` "
-                     "(Blender, Houdini), `csv`, `hdf5`; `[]` for none"});
+                     "(Blender, Houdini), `csv`, `hdf5`, `bgeo` (Houdini); `[]` for none"});
   v.choices("fields", o.fields, field_words,
             {.unit = "", .text = "fields of data files, besides the position"});
   v.choice("precision", o.precision, precision_words,

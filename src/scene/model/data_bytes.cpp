@@ -29,6 +29,8 @@ Cost cost_of(DataFormat format, const Scene& s, double particles) {
       return {sum(12, 12, 4, 4, particles > 4294967296.0 ? 8 : 4), 350};
     case DataFormat::csv:  // step and time, then numbers with their commas
       return {sum(11 + 10 * d, 13 * d, 9, 10, 6), 60};
+    case DataFormat::bgeo:  // positions with a weight, and pscale
+      return {sum(16, 12, 4, 4, 4) + 4, 160};
     case DataFormat::hdf5:
       return {sum(4 * d, real * d, real, real, 8), fields.size() < 2 ? 2048.0 : 4096.0};
   }
