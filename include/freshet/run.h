@@ -50,10 +50,12 @@ struct ResumeOptions {
   std::function<void(const std::vector<Diagnostic>&)> warn;
   /// Another file for the video of the run; its pictures per second stay. Empty: the same file.
   std::filesystem::path video = {};
+  /// Receives the file of the run's video before the first step, if the run makes one.
+  std::function<void(const std::filesystem::path&)> tell_video = {};
 };
 
-/// Resumes a run from its newest valid checkpoint, its video included. The result has the same bits and the same files
-/// as an uninterrupted run.
+/// Resumes a run from its newest valid checkpoint, its video included. The result has the same bits
+/// and the same files as an uninterrupted run.
 ///
 /// The scene is that of scene.toml in the folder, with the overrides.
 ///

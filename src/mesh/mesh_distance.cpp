@@ -60,10 +60,10 @@ std::optional<double> hit(const Corners& t, Point from, Point direction) {
 constexpr double edge = 1e-9;  // fraction of a triangle's sides by which it is wider for crossings
 
 /// The fraction of the way from one side of a triangle to its other side, or onto it.
-std::optional<double> crossing(const Corners& t, Point from, Point to) {
+std::optional<double> crossing(const Corners& t, Point from, Point to, bool two_sided) {
   const Point ab = t[1] - t[0], ac = t[2] - t[0], n = cross(ab, ac), way = to - from;
   const double before = dot(n, from - t[0]), after = dot(n, to - t[0]);
-  if (before == 0 || before * after > 0) return {};
+  if (before == 0 || before * after > 0 || (before < 0 && !two_sided)) return {};
   const double along = before / (before - after);
   const Point x = from + along * way - t[0];
   const double u = dot(cross(x, ac), n) / norm2(n), v = dot(cross(ab, x), n) / norm2(n);
@@ -223,7 +223,8 @@ std::optional<double> MeshDistance::first_hit(Point from, Point direction, doubl
   return first;
 }
 
-std::optional<MeshDistance::Crossing> MeshDistance::first_crossing(Point from, Point to) const {
+std::optional<MeshDistance::Crossing> MeshDistance::first_crossing(Point from, Point to,
+                                                                   bool two_sided) const {
   std::optional<Crossing> first;
   const Point low = least(from, to), high = most(from, to);
   std::vector<int> open{0};
@@ -244,7 +245,7 @@ std::optional<MeshDistance::Crossing> MeshDistance::first_crossing(Point from, P
     }
     for (int k = node.first; k < node.first + node.count; ++k) {
       const int triangle = order_[std::size_t(k)];
-      const auto at = crossing(mesh_.corners(triangle), from, to);
+      const auto at = crossing(mesh_.corners(triangle), from, to, two_sided);
       if (at && (!first || *at < first->along)) first = Crossing{*at, triangle};
     }
   }

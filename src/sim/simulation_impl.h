@@ -30,7 +30,7 @@ struct Simulation::Impl {
         derived(derive(scene)),
         threads(threads_of(scene, execution, derived.most_particles)),
         bodies(scene.body.empty() ? nullptr : std::make_unique<Bodies>(scene)),
-        tight_walls(scene, derived.support_radius),
+        tight_walls(scene, derived, bodies.get()),
         engine_(make_engine_of(execution)) {
     health.emplace(scene, derived, engine_->fluid(), bodies.get());
   }

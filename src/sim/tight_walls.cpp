@@ -4,154 +4,191 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/rotation.h"
+#include "scene/model/setup.h"
+
 namespace freshet {
 namespace {
 
 using Point = TriangleMesh::Point;
 
-constexpr double most_cells = 1 << 25;
+Point point_of(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 
-Point in_scene(const ParticleView& f, const Real* x) {
+Point in_scene(const ParticleView& f, std::size_t i) {
   Point at{};
   for (std::size_t k = 0; k < std::size_t(f.dimension); ++k)
-    component(at, int(k)) = f.origin[k] + double(x[k]);
+    component(at, int(k)) = f.position(i, k);
   return at;
 }
 
-/// Removes the part of v that points against a normal.
-void stop(std::span<Real> v, Point normal) {
-  double along = 0;
-  for (std::size_t k = 0; k < v.size(); ++k) along += double(v[k]) * component(normal, int(k));
-  if (!(along < 0)) return;
-  for (std::size_t k = 0; k < v.size(); ++k) v[k] -= Real(along * component(normal, int(k)));
+/// The unit normal of a triangle on the side that a way comes from.
+Point normal_against(const TriangleMesh& mesh, int triangle, Point way) {
+  const auto corners = mesh.corners(triangle);
+  const Point area = cross(corners[1] - corners[0], corners[2] - corners[0]);
+  return (dot(area, way) < 0 ? 1 : -1) / norm(area) * area;
 }
 
 }  // namespace
 
-TightWalls::TightWalls(const Scene& s, double support)
-    : membranes_(membranes_of(s)), dimension_(std::size_t(s.dimension())) {
-  if (!membranes_) return;
-  double cells = 1, cell = support;
-  std::array<double, 3> length{};
-  for (std::size_t k = 0; k < dimension_; ++k) {
-    length[k] = s.domain.max[k] - s.domain.min[k];
-    component(low_, int(k)) = s.domain.min[k];
-    if (s.periodic(int(k))) period_[k] = length[k];
-    cells *= length[k] / cell + 5;
+/// Where a body is, or the identity.
+class TightWalls::Pose {
+ public:
+  explicit Pose(const std::array<double, 3>& period) : period_(period) {}
+  Pose(const BodyState& state, Point start, const std::array<double, 3>& period)
+      : turn_(Rotation(state.orientation)),
+        position_(point_of(state.position)),
+        start_(start),
+        period_(period) {}
+
+  /// A point of the scene, or its image that is nearest to the body.
+  Point to_start(Point x) const {
+    if (!turn_) return x;
+    return turn_->inverse(nearest_image(x - position_)) + start_;
   }
-  cell *= std::max(1.0, std::pow(cells / most_cells, 1.0 / double(dimension_)));
-  for (std::size_t k = 0; k < dimension_; ++k) {
-    component(low_, int(k)) -= 2 * cell;
-    count_[k] = std::int64_t(length[k] / cell) + 5;
+  Point direction(Point a) const { return turn_ ? (*turn_)(a) : a; }
+  /// The shortest of a way and its images.
+  Point nearest_image(Point way) const {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (period_[k] > 0)
+        component(way, int(k)) = std::remainder(component(way, int(k)), period_[k]);
+    return way;
   }
-  mark_near_cells(cell);
+
+ private:
+  std::optional<Rotation> turn_;
+  Point position_{}, start_{};
+  std::array<double, 3> period_;
+};
+
+TightWalls::TightWalls(const Scene& s, const Derived& d, Bodies* bodies)
+    : dimension_(std::size_t(s.dimension())), reach_(d.support_radius), bodies_(bodies) {
+  if (!s.method().has_boundary_particles() || !has_fluid(s)) return;
+  for (std::size_t k = 0; k < dimension_; ++k)
+    if (s.periodic(int(k))) period_[k] = s.domain.max[k] - s.domain.min[k];
+  for (const Scene::Liquid& liquid : s.liquids())
+    masses_.push_back(d.mass * liquid.rest_density / d.rest_density);
+  for (Membrane& membrane : membranes_of(s, 2 * d.support_radius)) {
+    std::optional<NearCells> near;
+    if (membrane.body < 0) near.emplace(s, membrane.surface.mesh(), reach_);
+    guards_.push_back({std::move(membrane), std::move(near), {}});
+  }
 }
 
-void TightWalls::mark_near_cells(double cell) {
-  cell_ = cell;
-  near_.assign(std::size_t(count_[0] * count_[1] * count_[2]), 0);
-  for (int t = 0; t < int(membranes_->mesh().triangles.size()); ++t) mark(t);
+TightWalls::Pose TightWalls::pose_of(const Guard& guard) const {
+  if (guard.membrane.body < 0) return Pose(period_);
+  const auto k = std::size_t(guard.membrane.body);
+  return {bodies_->states()[k], point_of(bodies_->center(k)), period_};
 }
 
-/// Marks the cells that are less than a cell from a triangle, and perhaps some more.
-void TightWalls::mark(int triangle) {
-  const auto corners = membranes_->mesh().corners(triangle);
-  const Point area = cross(corners[1] - corners[0], corners[2] - corners[0]);
-  std::array<std::int64_t, 3> first{}, last{};
-  for (std::size_t k = 0; k < dimension_; ++k) {
-    std::array<double, 3> at{};
-    for (std::size_t c = 0; c < 3; ++c) {
-      Point offset = corners[c] - low_;
-      at[c] = component(offset, int(k)) / cell_;
-    }
-    const auto [low, high] = std::minmax_element(at.begin(), at.end());
-    const auto inside = [&](double place) {
-      return std::int64_t(std::clamp(std::floor(place), 0.0, double(count_[k] - 1)));
-    };
-    if (*high < -1 || *low > double(count_[k] + 1)) return;
-    first[k] = inside(*low - 1);
-    last[k] = inside(*high + 1);
-  }
-  const double reach = (1 + std::sqrt(3) / 2) * cell_ * norm(area);
-  for (std::int64_t z = first[2]; z <= last[2]; ++z)
-    for (std::int64_t y = first[1]; y <= last[1]; ++y)
-      for (std::int64_t x = first[0]; x <= last[0]; ++x) {
-        Point center = low_ + cell_ * Point{double(x) + 0.5, double(y) + 0.5, double(z) + 0.5};
-        if (dimension_ == 2) center.z = 0;
-        if (std::abs(dot(area, center - corners[0])) <= reach)
-          near_[std::size_t((z * count_[1] + y) * count_[0] + x)] = 1;
-      }
-}
-
-bool TightWalls::is_near(Point x) const {
-  std::size_t cell = 0;
-  for (std::size_t k = dimension_; k-- > 0;) {
-    Point offset = x - low_;
-    const double at = component(offset, int(k)) / cell_;
-    if (!(at >= 0 && at < double(count_[k]))) return false;
-    cell = cell * std::size_t(count_[k]) + std::size_t(at);
-  }
-  return near_[cell];
+bool TightWalls::is_near(const Guard& guard, Point x) const {
+  if (guard.near) return guard.near->has(x);
+  Point low = x - guard.membrane.surface.low(), high = guard.membrane.surface.high() - x;
+  for (int k = 0; k < int(dimension_); ++k)
+    if (!(component(low, k) > -reach_ && component(high, k) > -reach_)) return false;
+  return true;
 }
 
 void TightWalls::begin(const ParticleView& f) {
-  starts_.clear();
-  x_.clear();
-  for (std::size_t i = 0; i < f.size(); ++i) {
-    const Real* x = f.x.data() + dimension_ * i;
-    if (!is_near(in_scene(f, x))) continue;
-    starts_.push_back({f.id[i], x_.size()});
-    x_.insert(x_.end(), x, x + dimension_);
+  for (Guard& guard : guards_) {
+    const Pose pose = pose_of(guard);
+    guard.starts.clear();
+    for (std::size_t i = 0; i < f.size(); ++i)
+      if (const Point x = pose.to_start(in_scene(f, i)); is_near(guard, x))
+        guard.starts.push_back({f.id[i], x});
+    std::sort(guard.starts.begin(), guard.starts.end());
   }
-  std::sort(starts_.begin(), starts_.end());
 }
 
 std::int64_t TightWalls::hold(Engine& engine) {
-  const ParticleView f = engine.fluid();
-  const std::span<Real> x = engine.positions(), v = engine.velocities();
   std::int64_t stopped = 0;
-  for (std::size_t i = 0; i < f.size() && !starts_.empty(); ++i) {
-    const std::size_t at = dimension_ * i;
-    if (!is_near(in_scene(f, x.data() + at))) continue;
-    const auto start = std::lower_bound(starts_.begin(), starts_.end(), Start{f.id[i], 0});
-    if (start == starts_.end() || start->id != f.id[i]) continue;
-    stopped +=
-        hold(f, x_.data() + start->place, x.subspan(at, dimension_), v.subspan(at, dimension_));
+  for (const Guard& guard : guards_) {
+    if (guard.starts.empty()) continue;
+    const Pose pose = pose_of(guard);
+    const std::vector<Held> all = crossings(guard, pose, engine.fluid());
+    for (const Held& one : all) apply(one, guard.membrane.body, pose, engine);
+    stopped += std::int64_t(all.size());
   }
   return stopped;
 }
 
-/// Holds one particle, which was at `before`. Returns whether its way crosses a membrane.
-bool TightWalls::hold(const ParticleView& f, const Real* before, std::span<Real> x,
-                      std::span<Real> v) const {
-  const Point from = in_scene(f, before);
-  Point way = in_scene(f, x.data()) - from;
-  for (std::size_t k = 0; k < dimension_; ++k)
-    if (period_[k] > 0) component(way, int(k)) = std::remainder(component(way, int(k)), period_[k]);
-  const auto first = membranes_->first_crossing(from, from + way);
-  if (!first) return false;
-  const Point normal = normal_against(first->triangle, way);
-  stop(v, normal);
-  Point back = -dot(way, normal) * normal, end = from + way;
-  std::array<Real, 3> slid{};
-  for (std::size_t k = 0; k < dimension_; ++k) {
-    slid[k] = x[k] + Real(component(back, int(k)));
-    component(end, int(k)) += double(slid[k]) - double(x[k]);
+/// The particles that crossed a membrane, in the order of their ids: each may push a free body.
+std::vector<TightWalls::Held> TightWalls::crossings(const Guard& guard, const Pose& pose,
+                                                    const ParticleView& f) const {
+  std::vector<Held> all;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    const Point now = pose.to_start(in_scene(f, i));
+    if (!is_near(guard, now)) continue;
+    const auto start =
+        std::lower_bound(guard.starts.begin(), guard.starts.end(), Start{f.id[i], {}});
+    if (start == guard.starts.end() || start->id != f.id[i]) continue;
+    Point way = now - start->x;
+    if (guard.near) way = pose.nearest_image(way);
+    if (norm(way) > reach_) continue;  // an image of a body, or a run that has blown up
+    if (auto one = held(guard.membrane, start->x, way)) {
+      one->place = i;
+      one->id = f.id[i];
+      all.push_back(*one);
+    }
   }
-  if (const auto second = membranes_->first_crossing(from, end)) {
-    stop(v, normal_against(second->triangle, end - from));
-    std::copy_n(before, dimension_, x.begin());
-  } else {
-    std::copy_n(slid.begin(), dimension_, x.begin());
-  }
-  return true;
+  std::sort(all.begin(), all.end(), [](const Held& a, const Held& b) { return a.id < b.id; });
+  return all;
 }
 
-/// The unit normal of a triangle on the side that a way comes from.
-Point TightWalls::normal_against(int triangle, Point way) const {
-  const auto corners = membranes_->mesh().corners(triangle);
-  const Point area = cross(corners[1] - corners[0], corners[2] - corners[0]);
-  return (dot(area, way) < 0 ? 1 : -1) / norm(area) * area;
+void TightWalls::apply(const Held& one, int body, const Pose& pose, Engine& engine) const {
+  const ParticleView f = engine.fluid();
+  const Point place = in_scene(f, one.place);
+  const std::span<Real> x = engine.positions().subspan(dimension_ * one.place, dimension_),
+                        v = engine.velocities().subspan(dimension_ * one.place, dimension_);
+  const double mass = masses_[std::size_t(f.liquid_of(one.place))];
+  stop(v, mass, place, pose.direction(one.normal), body);
+  if (one.second_normal) stop(v, mass, place, pose.direction(*one.second_normal), body);
+  Point move = pose.direction(one.move);
+  for (std::size_t k = 0; k < dimension_; ++k) x[k] += Real(component(move, int(k)));
+}
+
+/// What becomes of a particle if its way crosses a membrane.
+std::optional<TightWalls::Held> TightWalls::held(const Membrane& m, Point from, Point way) {
+  const auto crossing = [&](Point to) { return m.surface.first_crossing(from, to, m.two_sided); };
+  const auto first = crossing(from + way);
+  if (!first) return {};
+  const Point normal = normal_against(m.surface.mesh(), first->triangle, way);
+  const Point slid = way - dot(way, normal) * normal;
+  const auto second = crossing(from + slid);
+  if (!second) return Held{0, 0, slid - way, normal, {}};
+  return Held{0, 0, -1 * way, normal, normal_against(m.surface.mesh(), second->triangle, slid)};
+}
+
+/// Removes the part of the velocity of a particle, relative to the body, that points against a
+/// normal.
+void TightWalls::stop(std::span<Real> v, double mass, Point x, Point normal, int body) const {
+  Point relative{};
+  for (std::size_t k = 0; k < dimension_; ++k) component(relative, int(k)) = double(v[k]);
+  BodyState* state = body < 0 ? nullptr : &bodies_->states()[std::size_t(body)];
+  const Point arm = state ? x - point_of(state->position) : Point{};
+  if (state)
+    relative =
+        relative - (point_of(state->velocity) + cross(point_of(state->angular_velocity), arm));
+  const double along = dot(relative, normal);
+  if (!(along < 0)) return;
+  const auto mobility = state ? bodies_->mobility(std::size_t(body)) : std::array<SixNumbers, 6>{};
+  Point turn = cross(arm, normal), push = normal;
+  SixNumbers unit{}, answer{};
+  for (int k = 0; k < 3; ++k) {
+    unit[std::size_t(k)] = component(push, k);
+    unit[std::size_t(3 + k)] = component(turn, k);
+  }
+  double lightness = 1 / mass;
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = 0; j < 6; ++j) answer[i] += mobility[i][j] * unit[j];
+    lightness += answer[i] * unit[i];
+  }
+  const double impulse = -along / lightness;
+  for (std::size_t k = 0; k < dimension_; ++k)
+    v[k] += Real(impulse / mass * component(push, int(k)));
+  for (std::size_t k = 0; k < 3 && state; ++k) {
+    state->velocity[k] -= impulse * answer[k];
+    state->angular_velocity[k] -= impulse * answer[3 + k];
+  }
 }
 
 }  // namespace freshet

@@ -5,20 +5,24 @@
 #include <optional>
 #include <vector>
 
+#include "bodies/bodies.h"
 #include "engine/engine.h"
+#include "freshet/derived.h"
 #include "scene/sample/membranes.h"
+#include "sim/near_cells.h"
 
 namespace freshet {
 
-/// Keeps particles on their side of walls without an inside. Boundary particles hold a fluid, but a
-/// lone particle passes between them: beside a sheet, its density is below rest density on both
-/// sides. A particle whose step crosses a membrane therefore slides along it instead, and loses the
-/// speed towards it.
+/// Keeps particles on their side of sheets, walls of points and thin solids. Boundary particles
+/// hold a fluid, but a lone particle passes between them, and through a thin solid it comes out on
+/// the other side. A particle whose step crosses a membrane therefore slides along it instead, and
+/// loses the speed towards it. A free body receives the impulse.
 class TightWalls {
  public:
-  TightWalls(const Scene& scene, double support);
+  /// Keeps `bodies`, which may be null.
+  TightWalls(const Scene& scene, const Derived& derived, Bodies* bodies);
 
-  bool any() const { return membranes_.has_value(); }
+  bool any() const { return !guards_.empty(); }
   /// Call before a step.
   void begin(const ParticleView& fluid);
   /// Call after the step. Returns the number of particles that it has stopped.
@@ -28,26 +32,36 @@ class TightWalls {
   using Point = TriangleMesh::Point;
   struct Start {
     std::uint64_t id;
-    std::size_t place;  ///< of its coordinates in x_
+    Point x;  ///< relative to the body at its start
     bool operator<(const Start& other) const { return id < other.id; }
   };
+  struct Guard {
+    Membrane membrane;
+    std::optional<NearCells> near;  ///< empty: of a body, whose box says what is near
+    std::vector<Start> starts;      ///< of the particles near it, before the step
+  };
+  /// Vectors are relative to the body at its start.
+  struct Held {
+    std::size_t place;  ///< of the particle
+    std::uint64_t id;
+    Point move, normal;
+    std::optional<Point> second_normal;
+  };
+  class Pose;
 
-  bool hold(const ParticleView& fluid, const Real* before, std::span<Real> x,
-            std::span<Real> v) const;
-  void mark_near_cells(double cell);
-  void mark(int triangle);
-  bool is_near(Point x) const;
-  Point normal_against(int triangle, Point way) const;
+  Pose pose_of(const Guard& guard) const;
+  bool is_near(const Guard& guard, Point x) const;
+  std::vector<Held> crossings(const Guard& guard, const Pose& pose, const ParticleView& f) const;
+  void apply(const Held& one, int body, const Pose& pose, Engine& engine) const;
+  static std::optional<Held> held(const Membrane& membrane, Point from, Point way);
+  void stop(std::span<Real> v, double mass, Point x, Point normal, int body) const;
 
-  std::optional<MeshDistance> membranes_;
   std::size_t dimension_;
+  double reach_;                    // beyond a body's box [m]
   std::array<double, 3> period_{};  // [m]; 0: not periodic
-  Point low_{};                     // of the cells
-  double cell_ = 0;
-  std::array<std::int64_t, 3> count_{1, 1, 1};
-  std::vector<std::uint8_t> near_;  // by cell
-  std::vector<Start> starts_;       // of the particles near membranes, before the step
-  std::vector<Real> x_;             // as the engine has them
+  std::vector<double> masses_;      // of the particles of each liquid [kg; kg/m in 2D]
+  Bodies* bodies_;
+  std::vector<Guard> guards_;
 };
 
 }  // namespace freshet

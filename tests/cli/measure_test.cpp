@@ -261,6 +261,16 @@ TEST_F(Measure, SetsProbesOnTheCommandLine) {
                  "--set time.end: error: the run is over: only keys of [probe] and [counter]");
 }
 
+TEST_F(Measure, ReadsTheProbesOfAScene) {
+  const MeasuredRun run(falling_column());
+  const std::string scene =
+      run.file("scene.toml", falling_column("fields = [\"velocity\"]\n") +
+                                 "[[probe]]\nname = \"there\"\nat = [0.2, 0.1]\n");
+  EXPECT_NEAR(1, column(run.measured({"--probes", scene}), "there: fraction").front(), 0.05);
+  expect_refused(run.measure({"--probes", run.file("few.toml", "[[fluid]]\nmin = [0, 0]\n")}),
+                 "unknown key fluid");
+}
+
 TEST_F(Measure, RejectsInvalidFilesOfProbes) {
   const MeasuredRun run(falling_column());
   const auto expect_error = [&](const std::string& text, const std::string& place,

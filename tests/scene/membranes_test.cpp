@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/sample/join_points.h"
+#include "scene/scene_text.h"
+
 namespace freshet::test {
 namespace {
 
@@ -53,6 +56,24 @@ TEST(FirstCrossing, HoldsAtEdgesAndCorners) {
   ASSERT_TRUE(crossing);
   EXPECT_DOUBLE_EQ(0.25, crossing->along);
   EXPECT_FALSE(square.first_crossing({0.5, 0, 0.2}, {0.5, -1, 0.2})) << "it starts on the square";
+}
+
+TEST(Membranes, AreTheThinPartsOfSolids) {
+  const auto count = [](const char* walls) {
+    const Scene scene = with_defaults(scene_with(
+        "[1, 1]", 0.05,
+        std::string("solver.name = \"dfsph\"\nfluid = { min = [0, 0], max = [0.2, 0.2] }\n") +
+            walls));
+    std::size_t triangles = 0;
+    for (const Membrane& m : membranes_of(scene, 0.2))
+      triangles += m.surface.mesh().triangles.size();
+    return triangles;
+  };
+  EXPECT_EQ(0u, count("[[wall]]\nmin = [0.4, 0.4]\nmax = [0.7, 0.7]\n"));
+  // sides of 0.4 m in pieces of 0.2 m, two triangles each, on both sides of the plate
+  EXPECT_EQ(8u, count("[[wall]]\nmin = [0.4, 0.4]\nmax = [0.8, 0.45]\n"));
+  EXPECT_EQ(8u, count("[[body]]\nmin = [0.4, 0.4]\nmax = [0.8, 0.45]\n"));
+  EXPECT_EQ(0u, count("[[wall]]\nmin = [0.4, 0.4]\nmax = [0.8, 0.45]\nmethod = \"reflection\"\n"));
 }
 
 }  // namespace

@@ -2,167 +2,139 @@
 #include "scene/sample/membranes.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "scene/model/body_mesh.h"
 #include "scene/model/loaded_mesh.h"
+#include "scene/sample/join_points.h"
 #include "scene/sample/places.h"
 #include "scene/sample/point_cloud.h"
-#include "scene/sample/point_spacing.h"
 #include "scene/sample/sample_walls.h"
 
 namespace freshet {
 namespace {
 
 using Point = TriangleMesh::Point;
+using Corners = std::array<Point, 3>;
 
-constexpr double widest = 1.6;  // spacings of the fluid: no liquid fits through a narrower gap
-constexpr double diagonal = 1.45, second = 1.99;  // median distances: of a square, of neighbours
-constexpr double hair = 1e-6;                     // fraction of a length
-constexpr std::size_t many = 100'000;             // points, of which only the nearest are joined
-
-template <int D> Vec<D, double> point_of(const std::vector<double>& x, std::size_t i) {
-  Vec<D, double> a{};
-  for (int k = 0; k < D; ++k) component(a, k) = x[D * i + std::size_t(k)];
-  return a;
+void append(TriangleMesh& to, const Corners& corners) {
+  const int first = int(to.points.size());
+  to.points.insert(to.points.end(), corners.begin(), corners.end());
+  to.triangles.push_back({first, first + 1, first + 2});
 }
 
-/// Points, and which of them are near each other.
-template <int D> class NearPoints {
+/// The triangles of a closed surface where it is thin, in pieces of about the size of `thin`.
+class ThinParts {
  public:
-  NearPoints(const std::vector<double>& x, double near) : grid_(near) {
-    PointGrid<D> places(hair * near);
-    for (std::size_t i = 0; i < x.size() / D; ++i) {
-      const auto at = point_of<D>(x, i);
-      if (places.comes_near(at)) continue;  // a point that is listed twice
-      places.add(at);
-      grid_.add(at);
-      x_.push_back(at);
+  ThinParts(const MeshDistance& surface, double thin) : surface_(surface), thin_(thin) {}
+
+  void add(const Corners& t, TriangleMesh& to) const {
+    int longest = 0;
+    const auto side = [&](int k) { return norm(t[std::size_t((k + 1) % 3)] - t[std::size_t(k)]); };
+    for (int k = 1; k < 3; ++k)
+      if (side(k) > side(longest)) longest = k;
+    if (side(longest) <= thin_) {
+      if (is_thin(t)) append(to, t);
+      return;
     }
-    later_.resize(x_.size());
-    for (std::size_t i = 0; i < x_.size(); ++i)
-      for (const int j : grid_.near(x_[i]))
-        if (j > int(i)) later_[i].push_back(j);
+    const Point a = t[std::size_t(longest)], b = t[std::size_t((longest + 1) % 3)],
+                c = t[std::size_t((longest + 2) % 3)], middle = 0.5 * (a + b);
+    add({a, middle, c}, to);
+    add({middle, b, c}, to);
   }
-  int size() const { return int(x_.size()); }
-  Vec<D, double> at(int i) const { return x_[std::size_t(i)]; }
-  /// Those near point i that have greater numbers.
-  const std::vector<int>& later(int i) const { return later_[std::size_t(i)]; }
-  bool are_near(int i, int j) const {
-    return std::find(later(i).begin(), later(i).end(), j) != later(i).end();
-  }
-  /// Whether a ball has more than `own` points closer to its centre than `radius`.
-  bool is_occupied(Vec<D, double> center, double radius, int own) const {
-    const auto near = grid_.near(center);
-    return std::count_if(near.begin(), near.end(),
-                         [&](int i) { return norm2(at(i) - center) < radius * radius; }) > own;
+  /// The strips, 2 `width` wide, of the sides of an outline.
+  void add(const Outline& outline, double width, TriangleMesh& to) const {
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      const auto from = outline[k], whole = outline[(k + 1) % outline.size()] - from;
+      const auto parts = std::max<std::int64_t>(1, std::int64_t(std::ceil(norm(whole) / thin_)));
+      for (std::int64_t j = 0; j < parts; ++j) {
+        const auto a = from + double(j) / double(parts) * whole,
+                   b = from + double(j + 1) / double(parts) * whole;
+        const Point low{a.x, a.y, -width}, high{b.x, b.y, width};
+        const Corners lower{low, Point{b.x, b.y, -width}, high},
+            upper{low, high, Point{a.x, a.y, width}};
+        if (!is_thin({lower[0], lower[1], 0.5 * (upper[2] + lower[1])})) continue;
+        append(to, lower);
+        append(to, upper);
+      }
+    }
   }
 
  private:
-  PointGrid<D> grid_;
-  std::vector<Vec<D, double>> x_;
-  std::vector<std::vector<int>> later_;
-};
-
-/// The smallest circle around a triangle.
-struct Circle {
-  Point center;
-  double radius;
-};
-Circle circle_around(Point a, Point b, Point c) {
-  const Point* corners[] = {&a, &b, &c};
-  for (int k = 0; k < 3; ++k) {  // a right or obtuse angle is opposite to a diameter
-    const Point p = *corners[k], q = *corners[(k + 1) % 3], r = *corners[(k + 2) % 3];
-    if (dot(p - r, q - r) <= 0) return {0.5 * (p + q), norm(p - q) / 2};
+  bool is_thin(const Corners& t) const {
+    const Point outwards = cross(t[1] - t[0], t[2] - t[0]);
+    const double area = norm(outwards);
+    if (!(area > 0)) return false;
+    const auto thickness =
+        surface_.first_hit((t[0] + t[1] + t[2]) / 3, (-1 / area) * outwards, 1e-6 * thin_);
+    return thickness && *thickness < thin_;
   }
-  const Point ab = b - a, ac = c - a, n = cross(ab, ac);
-  const Point to = (0.5 / norm2(n)) * (norm2(ac) * cross(n, ab) + norm2(ab) * cross(ac, n));
-  return {a + to, norm(to)};
+
+  const MeshDistance& surface_;
+  double thin_;
+};
+
+/// The thin parts of a region that is not a plane, points or a sheet, with the fluid outside.
+TriangleMesh thin_parts(const Scene::Region& r, int dimension, double thin) {
+  TriangleMesh parts;
+  if (dimension == 2) {
+    const Outline outline = is_mesh(r) ? r.loaded->outline : outline_of(r);
+    const MeshDistance prism(prism_of(outline));
+    ThinParts(prism, thin).add(outline, thin, parts);
+    return parts;
+  }
+  Scene::Body body;
+  static_cast<Scene::Region&>(body) = r;
+  const MeshDistance surface(body_mesh(body));
+  for (int t = 0; t < int(surface.mesh().triangles.size()); ++t)
+    ThinParts(surface, thin).add(surface.mesh().corners(t), parts);
+  return parts;
 }
 
-bool has_area(const TriangleMesh& mesh, const TriangleMesh::Triangle& t) {
-  const Point a = mesh.points[std::size_t(t[0])], ab = mesh.points[std::size_t(t[1])] - a,
-              ac = mesh.points[std::size_t(t[2])] - a;
-  return norm(cross(ab, ac)) > hair * norm(ab) * norm(ac);
-}
-
-/// Triangles whose circles are empty: others would cut corners.
-TriangleMesh join_in_3d(const NearPoints<3>& points) {
-  TriangleMesh mesh;
-  for (int i = 0; i < points.size(); ++i) mesh.points.push_back(points.at(i));
-  for (int i = 0; i < points.size(); ++i)
-    for (const int j : points.later(i))
-      for (const int k : points.later(i)) {
-        if (k <= j || !points.are_near(j, k)) continue;
-        const TriangleMesh::Triangle t{i, j, k};
-        if (!has_area(mesh, t)) continue;
-        const Circle around = circle_around(points.at(i), points.at(j), points.at(k));
-        if (!points.is_occupied(around.center, (1 - hair) * around.radius, 0))
-          mesh.triangles.push_back(t);
-      }
-  return mesh;
-}
-
-/// Strips between points whose circle, with its rim, has no other point.
-TriangleMesh join_in_2d(const NearPoints<2>& points, double width) {
-  TriangleMesh mesh;
-  const int n = points.size();
-  for (const double z : {-width, width})
-    for (int i = 0; i < n; ++i) mesh.points.push_back({points.at(i).x, points.at(i).y, z});
-  for (int i = 0; i < n; ++i)
-    for (const int j : points.later(i)) {
-      const auto half = 0.5 * (points.at(j) - points.at(i)), middle = points.at(i) + half;
-      const double radius = norm(half);
-      if (radius == 0 || points.is_occupied(middle, (1 + hair) * radius, 2)) continue;
-      mesh.triangles.push_back({i, j, n + j});
-      mesh.triangles.push_back({i, n + j, n + i});
+/// Appends a mesh, and its images beyond periodic ends.
+template <int D> void append_all(TriangleMesh& to, const TriangleMesh& mesh, const Scene& s) {
+  for (auto shift : periodic_shifts<D>(s)) {
+    Point move{};
+    for (int k = 0; k < D; ++k) component(move, k) = component(shift, k);
+    for (int t = 0; t < int(mesh.triangles.size()); ++t) {
+      auto corners = mesh.corners(t);
+      for (Point& p : corners) p += move;
+      append(to, corners);
     }
-  return mesh;
+  }
 }
 
-/// Appends a mesh, moved by `shift`.
-void append(TriangleMesh& to, const TriangleMesh& mesh, Point shift) {
-  const int first = int(to.points.size());
-  for (const Point& p : mesh.points) to.points.push_back(p + shift);
-  for (const auto& [a, b, c] : mesh.triangles)
-    to.triangles.push_back({first + a, first + b, first + c});
-}
-
-template <int D> TriangleMesh all_membranes(const Scene& s) {
-  TriangleMesh all;
+template <int D> std::vector<Membrane> membranes(const Scene& s, double thin) {
+  TriangleMesh sheets, solids;
   for (std::size_t k = 0; k < s.wall.size(); ++k) {
-    const Scene::Wall& wall = s.wall[k];
-    TriangleMesh own;
+    const Scene::Wall& w = s.wall[k];
     if (wall_layers(s, s.wall_method(k)) == 0) continue;
-    if (wall.shape == Shape::points)
-      own = join_points(read_points(wall.file, D).x, D, s.particles.spacing);
-    else if (wall.shape == Shape::mesh && !wall.loaded->condition.closed())
-      own = wall.loaded->distance.mesh();
-    if (own.triangles.empty()) continue;
-    for (const auto& shift : periodic_shifts<D>(s)) {
-      Point to{};
-      for (int d = 0; d < D; ++d) {
-        auto along = shift;
-        component(to, d) = component(along, d);
-      }
-      append(all, own, to);
-    }
+    if (w.shape == Shape::points)
+      append_all<D>(sheets, join_points(read_points(w.file, D).x, D, s.particles.spacing), s);
+    else if (w.shape == Shape::mesh && !w.loaded->condition.closed())
+      append_all<D>(sheets, w.loaded->distance.mesh(), s);
+    else if (w.shape != Shape::plane && w.side == Side::outside)
+      append_all<D>(solids, thin_parts(w, D, thin), s);
   }
+  std::vector<Membrane> all;
+  const auto add = [&](TriangleMesh mesh, bool two_sided, int body) {
+    if (!mesh.triangles.empty()) all.push_back({MeshDistance(std::move(mesh)), two_sided, body});
+  };
+  for (std::size_t k = 0; k < s.body.size(); ++k) {
+    const Scene::Body& b = s.body[k];
+    if (b.side == Side::inside) continue;
+    if (b.motion == BodyMotion::fixed) append_all<D>(solids, thin_parts(b, D, thin), s);
+    else add(thin_parts(b, D, thin), false, int(k));
+  }
+  add(std::move(sheets), true, -1);
+  add(std::move(solids), false, -1);
   return all;
 }
 
 }  // namespace
 
-TriangleMesh join_points(const std::vector<double>& x, int dimension, double spacing) {
-  const double median = median_spacing(x, dimension);
-  const bool is_large = x.size() / std::size_t(dimension) > many;
-  double near = widest * spacing;
-  if (median > 0) near = std::min(near, (is_large ? diagonal : second) * median);
-  return dimension == 2 ? join_in_2d({x, near}, near) : join_in_3d({x, near});
-}
-
-std::optional<MeshDistance> membranes_of(const Scene& s) {
-  TriangleMesh all = s.dimension() == 2 ? all_membranes<2>(s) : all_membranes<3>(s);
-  if (all.triangles.empty()) return {};
-  return MeshDistance(std::move(all));
+std::vector<Membrane> membranes_of(const Scene& s, double thin) {
+  return s.dimension() == 2 ? membranes<2>(s, thin) : membranes<3>(s, thin);
 }
 
 }  // namespace freshet

@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <optional>
+#include <vector>
 
 #include "mesh/mesh_distance.h"
 #include "scene/model/setup.h"
 
 namespace freshet {
 
-/// The triangles of the walls without an inside: meshes with holes, and walls of points, whose near
-/// points are joined by triangles, in 2D by strips along z. Walls are repeated beyond periodic
-/// ends. Empty if there are none. The scene must have its defaults filled in.
-std::optional<MeshDistance> membranes_of(const Scene& scene);
+/// A surface that no particle may cross. In 2D it is made of strips along z.
+struct Membrane {
+  MeshDistance surface;
+  bool two_sided;  ///< else it holds what comes from outside
+  int body = -1;   ///< a body that carries it, which is at its start; -1: it does not move
+};
 
-/// Joins each two points (2D) or three points (3D) that are near each other. Nearness depends on
-/// the median distance of neighbours, and on the spacing of the fluid: wider gaps are openings.
-TriangleMesh join_points(const std::vector<double>& x, int dimension, double spacing);
+/// The surfaces of solids that are too thin to hold every particle by their boundary particles:
+///
+/// - meshes with holes, and walls of points, whose near points are joined;
+/// - parts of walls and bodies that are thinner than `thin` [m].
+///
+/// Walls are repeated beyond periodic ends. The scene must have its defaults filled in.
+std::vector<Membrane> membranes_of(const Scene& scene, double thin);
 
 }  // namespace freshet
