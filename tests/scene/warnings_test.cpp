@@ -149,5 +149,18 @@ TEST(SceneWarnings, BodiesOfOneLayerInDeltaSph) {
   EXPECT_FALSE(contains(with("delta_sph", "open", tank), "lifts too strongly"));
 }
 
+TEST(SceneWarnings, NoSlipGhostsOfDfsph) {
+  const auto with = [](const std::string& solver, const std::string& walls) {
+    return warnings_of(dam(solver + "\"", adaptive, "[walls]\n" + walls));
+  };
+  EXPECT_TRUE(contains(with("dfsph", "method = \"ghost\"\nslip = \"no_slip\"\n"),
+                       "s.toml:16:8: warning: the images of \"ghost\" sides"))
+      << with("dfsph", "method = \"ghost\"\nslip = \"no_slip\"\n");
+  EXPECT_TRUE(contains(with("dfsph", "method = \"ghost\"\n"), "warning: the images of"));
+  EXPECT_EQ("", with("dfsph", "method = \"ghost\"\nslip = \"free_slip\"\n"));
+  EXPECT_EQ("", with("iisph", "method = \"ghost\"\n"));
+  EXPECT_EQ("", with("dfsph", "method = \"akinci2012\"\n"));
+}
+
 }  // namespace
 }  // namespace freshet::test
