@@ -70,7 +70,18 @@ TightWalls::TightWalls(const Scene& s, const Derived& d, Bodies* bodies)
   for (Membrane& membrane : membranes_of(s, 2 * d.support_radius)) {
     std::optional<NearCells> near;
     if (membrane.body < 0) near.emplace(s, membrane.surface.mesh(), reach_);
-    guards_.push_back({std::move(membrane), std::move(near), {}});
+    guards_.push_back({std::move(membrane), std::move(near), 0, {}});
+  }
+  for (Guard& guard : guards_) {
+    if (guard.near) continue;
+    if (!cells_) cells_.emplace(s, 4 * reach_);
+    const Point center = point_of(bodies_->center(std::size_t(guard.membrane.body)));
+    Point below = center - guard.membrane.surface.low(),
+          above = guard.membrane.surface.high() - center;
+    double radius2 = 0;
+    for (int k = 0; k < int(dimension_); ++k)
+      radius2 += square(std::max(component(below, k), component(above, k)) + reach_);
+    guard.radius = std::sqrt(radius2);
   }
 }
 
@@ -88,11 +99,32 @@ bool TightWalls::is_near(const Guard& guard, Point x) const {
   return true;
 }
 
+/// The particles that may be near each membrane.
+std::vector<std::vector<std::size_t>> TightWalls::candidates(const ParticleView& f) {
+  if (cells_) cells_->clear();
+  for (std::size_t g = 0; g < guards_.size(); ++g)
+    if (!guards_[g].near)
+      cells_->add(int(g),
+                  point_of(bodies_->states()[std::size_t(guards_[g].membrane.body)].position),
+                  guards_[g].radius);
+  std::vector<std::vector<std::size_t>> all(guards_.size());
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    const Point x = in_scene(f, i);
+    for (std::size_t g = guards_.size(); g-- > 0 && guards_[g].near;)
+      if (guards_[g].near->has(x)) all[g].push_back(i);
+    if (!cells_) continue;
+    for (const int g : cells_->at(x)) all[std::size_t(g)].push_back(i);
+  }
+  return all;
+}
+
 void TightWalls::begin(const ParticleView& f) {
-  for (Guard& guard : guards_) {
+  const auto near = candidates(f);
+  for (std::size_t g = 0; g < guards_.size(); ++g) {
+    Guard& guard = guards_[g];
     const Pose pose = pose_of(guard);
     guard.starts.clear();
-    for (std::size_t i = 0; i < f.size(); ++i)
+    for (const std::size_t i : near[g])
       if (const Point x = pose.to_start(in_scene(f, i)); is_near(guard, x))
         guard.starts.push_back({f.id[i], x});
     std::sort(guard.starts.begin(), guard.starts.end());
@@ -101,10 +133,12 @@ void TightWalls::begin(const ParticleView& f) {
 
 std::int64_t TightWalls::hold(Engine& engine) {
   std::int64_t stopped = 0;
-  for (const Guard& guard : guards_) {
+  const auto near = candidates(engine.fluid());
+  for (std::size_t g = 0; g < guards_.size(); ++g) {
+    const Guard& guard = guards_[g];
     if (guard.starts.empty()) continue;
     const Pose pose = pose_of(guard);
-    const std::vector<Held> all = crossings(guard, pose, engine.fluid());
+    const std::vector<Held> all = crossings(guard, pose, engine.fluid(), near[g]);
     for (const Held& one : all) apply(one, guard.membrane.body, pose, engine);
     stopped += std::int64_t(all.size());
   }
@@ -113,9 +147,10 @@ std::int64_t TightWalls::hold(Engine& engine) {
 
 /// The particles that crossed a membrane, in the order of their ids: each may push a free body.
 std::vector<TightWalls::Held> TightWalls::crossings(const Guard& guard, const Pose& pose,
-                                                    const ParticleView& f) const {
+                                                    const ParticleView& f,
+                                                    const std::vector<std::size_t>& near) const {
   std::vector<Held> all;
-  for (std::size_t i = 0; i < f.size(); ++i) {
+  for (const std::size_t i : near) {
     const Point now = pose.to_start(in_scene(f, i));
     if (!is_near(guard, now)) continue;
     const auto start =

@@ -9,6 +9,7 @@
 #include "engine/engine.h"
 #include "freshet/derived.h"
 #include "scene/sample/membranes.h"
+#include "sim/body_cells.h"
 #include "sim/near_cells.h"
 
 namespace freshet {
@@ -38,6 +39,7 @@ class TightWalls {
   struct Guard {
     Membrane membrane;
     std::optional<NearCells> near;  ///< empty: of a body, whose box says what is near
+    double radius = 0;              ///< of a ball around the body that holds what is near [m]
     std::vector<Start> starts;      ///< of the particles near it, before the step
   };
   /// Vectors are relative to the body at its start.
@@ -51,7 +53,9 @@ class TightWalls {
 
   Pose pose_of(const Guard& guard) const;
   bool is_near(const Guard& guard, Point x) const;
-  std::vector<Held> crossings(const Guard& guard, const Pose& pose, const ParticleView& f) const;
+  std::vector<std::vector<std::size_t>> candidates(const ParticleView& fluid);
+  std::vector<Held> crossings(const Guard& guard, const Pose& pose, const ParticleView& f,
+                              const std::vector<std::size_t>& candidates) const;
   void apply(const Held& one, int body, const Pose& pose, Engine& engine) const;
   static std::optional<Held> held(const Membrane& membrane, Point from, Point way);
   void stop(std::span<Real> v, double mass, Point x, Point normal, int body) const;
@@ -62,6 +66,7 @@ class TightWalls {
   std::vector<double> masses_;      // of the particles of each liquid [kg; kg/m in 2D]
   Bodies* bodies_;
   std::vector<Guard> guards_;
+  std::optional<BodyCells> cells_;  // of the bodies
 };
 
 }  // namespace freshet
