@@ -16,7 +16,7 @@ BodyCells::BodyCells(const Scene& s, double width) : dimension_(std::size_t(s.di
     const double length = s.domain.max[k] - s.domain.min[k];
     low_[k] = s.domain.min[k];
     count_[k] = std::int64_t(std::clamp(std::floor(length / width), 1.0, most));
-    width_[k] = length / double(count_[k]);
+    per_length_[k] = double(count_[k]) / length;
     periodic_[k] = s.periodic(int(k));
   }
   cells_.resize(std::size_t(count_[0] * count_[1] * count_[2]));
@@ -28,7 +28,7 @@ void BodyCells::clear() {
 
 std::int64_t BodyCells::place(double along, std::size_t axis) const {
   constexpr double far = 1e6;  // cells; a lost particle may be anywhere, or nowhere
-  const double cell = std::floor((along - low_[axis]) / width_[axis]);
+  const double cell = std::floor((along - low_[axis]) * per_length_[axis]);
   return std::int64_t(cell > -far ? std::min(cell, far) : -far);
 }
 
@@ -55,9 +55,11 @@ void BodyCells::add(int ball, Point center, double radius) {
 
 const std::vector<int>& BodyCells::at(Point x) const {
   std::size_t cell = 0;
-  for (std::size_t k = 3; k-- > 0;) {
-    const std::int64_t at = k < dimension_ ? in_grid(place(component(x, int(k)), k), k) : 0;
-    cell = cell * std::size_t(count_[k]) + std::size_t(at);
+  for (std::size_t k = dimension_; k-- > 0;) {
+    const double at = (component(x, int(k)) - low_[k]) * per_length_[k];
+    const bool inside = at >= 0 && at < double(count_[k]);  // as almost all are
+    cell = cell * std::size_t(count_[k]) +
+           std::size_t(inside ? std::int64_t(at) : in_grid(place(component(x, int(k)), k), k));
   }
   return cells_[cell];
 }

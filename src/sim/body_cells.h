@@ -25,7 +25,7 @@ class BodyCells {
   std::int64_t in_grid(std::int64_t place, std::size_t axis) const;
 
   std::size_t dimension_;
-  std::array<double, 3> low_{}, width_{1, 1, 1};
+  std::array<double, 3> low_{}, per_length_{};  // cells per metre
   std::array<std::int64_t, 3> count_{1, 1, 1};
   std::array<bool, 3> periodic_{};
   std::vector<std::vector<int>> cells_;

@@ -11,17 +11,19 @@ constexpr double most_cells = 1 << 25;
 
 }  // namespace
 
-NearCells::NearCells(const Scene& s, const TriangleMesh& mesh, double near)
-    : dimension_(std::size_t(s.dimension())), cell_(near) {
+NearCells::NearCells(std::size_t dimension, Point low, Point high, const TriangleMesh& mesh,
+                     double near)
+    : dimension_(dimension), cell_(near) {
+  Point sides = high - low;
   double cells = 1;
   std::array<double, 3> length{};
   for (std::size_t k = 0; k < dimension_; ++k) {
-    length[k] = s.domain.max[k] - s.domain.min[k];
+    length[k] = component(sides, int(k));
     cells *= length[k] / cell_ + 5;
   }
   cell_ *= std::max(1.0, std::pow(cells / most_cells, 1.0 / double(dimension_)));
   for (std::size_t k = 0; k < dimension_; ++k) {
-    component(low_, int(k)) = s.domain.min[k] - 2 * cell_;
+    component(low_, int(k)) = component(low, int(k)) - 2 * cell_;
     count_[k] = std::int64_t(length[k] / cell_) + 5;
   }
   marked_.assign(std::size_t(count_[0] * count_[1] * count_[2]), 0);

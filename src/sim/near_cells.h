@@ -8,14 +8,15 @@
 
 namespace freshet {
 
-/// The cells of a domain that are near the triangles of a mesh: a test before a slow one.
+/// The cells of a box that are near the triangles of a mesh: a test before a slow one.
 class NearCells {
  public:
   using Point = TriangleMesh::Point;
 
-  /// `near` is a cell's width, unless there would be too many cells [m].
-  NearCells(const Scene& scene, const TriangleMesh& mesh, double near);
-  /// Whether x may be closer to a triangle than `near`. Always false far outside the domain.
+  /// The box is from `low` to `high`, and two cells more. `near` is a cell's width, unless there
+  /// would be too many cells [m].
+  NearCells(std::size_t dimension, Point low, Point high, const TriangleMesh& mesh, double near);
+  /// Whether x may be closer to a triangle than `near`. Always false outside the box.
   bool has(Point x) const;
 
  private:

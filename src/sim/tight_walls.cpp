@@ -67,13 +67,19 @@ TightWalls::TightWalls(const Scene& s, const Derived& d, Bodies* bodies)
     if (s.periodic(int(k))) period_[k] = s.domain.max[k] - s.domain.min[k];
   for (const Scene::Liquid& liquid : s.liquids())
     masses_.push_back(d.mass * liquid.rest_density / d.rest_density);
+  Point low{}, high{};
+  for (std::size_t k = 0; k < dimension_; ++k) {
+    component(low, int(k)) = s.domain.min[k];
+    component(high, int(k)) = s.domain.max[k];
+  }
   for (Membrane& membrane : membranes_of(s, 2 * d.support_radius)) {
-    std::optional<NearCells> near;
-    if (membrane.body < 0) near.emplace(s, membrane.surface.mesh(), reach_);
+    const bool rests = membrane.body < 0;
+    const MeshDistance& m = membrane.surface;
+    NearCells near(dimension_, rests ? low : m.low(), rests ? high : m.high(), m.mesh(), reach_);
     guards_.push_back({std::move(membrane), std::move(near), 0, {}});
   }
   for (Guard& guard : guards_) {
-    if (guard.near) continue;
+    if (guard.membrane.body < 0) continue;
     if (!cells_) cells_.emplace(s, 4 * reach_);
     const Point center = point_of(bodies_->center(std::size_t(guard.membrane.body)));
     Point below = center - guard.membrane.surface.low(),
@@ -91,27 +97,19 @@ TightWalls::Pose TightWalls::pose_of(const Guard& guard) const {
   return {bodies_->states()[k], point_of(bodies_->center(k)), period_};
 }
 
-bool TightWalls::is_near(const Guard& guard, Point x) const {
-  if (guard.near) return guard.near->has(x);
-  Point low = x - guard.membrane.surface.low(), high = guard.membrane.surface.high() - x;
-  for (int k = 0; k < int(dimension_); ++k)
-    if (!(component(low, k) > -reach_ && component(high, k) > -reach_)) return false;
-  return true;
-}
-
 /// The particles that may be near each membrane.
 std::vector<std::vector<std::size_t>> TightWalls::candidates(const ParticleView& f) {
   if (cells_) cells_->clear();
   for (std::size_t g = 0; g < guards_.size(); ++g)
-    if (!guards_[g].near)
+    if (guards_[g].membrane.body >= 0)
       cells_->add(int(g),
                   point_of(bodies_->states()[std::size_t(guards_[g].membrane.body)].position),
                   guards_[g].radius);
   std::vector<std::vector<std::size_t>> all(guards_.size());
   for (std::size_t i = 0; i < f.size(); ++i) {
     const Point x = in_scene(f, i);
-    for (std::size_t g = guards_.size(); g-- > 0 && guards_[g].near;)
-      if (guards_[g].near->has(x)) all[g].push_back(i);
+    for (std::size_t g = guards_.size(); g-- > 0 && guards_[g].membrane.body < 0;)
+      if (guards_[g].near.has(x)) all[g].push_back(i);
     if (!cells_) continue;
     for (const int g : cells_->at(x)) all[std::size_t(g)].push_back(i);
   }
@@ -125,7 +123,7 @@ void TightWalls::begin(const ParticleView& f) {
     const Pose pose = pose_of(guard);
     guard.starts.clear();
     for (const std::size_t i : near[g])
-      if (const Point x = pose.to_start(in_scene(f, i)); is_near(guard, x))
+      if (const Point x = pose.to_start(in_scene(f, i)); guard.near.has(x))
         guard.starts.push_back({f.id[i], x});
     std::sort(guard.starts.begin(), guard.starts.end());
   }
@@ -152,12 +150,12 @@ std::vector<TightWalls::Held> TightWalls::crossings(const Guard& guard, const Po
   std::vector<Held> all;
   for (const std::size_t i : near) {
     const Point now = pose.to_start(in_scene(f, i));
-    if (!is_near(guard, now)) continue;
+    if (!guard.near.has(now)) continue;
     const auto start =
         std::lower_bound(guard.starts.begin(), guard.starts.end(), Start{f.id[i], {}});
     if (start == guard.starts.end() || start->id != f.id[i]) continue;
     Point way = now - start->x;
-    if (guard.near) way = pose.nearest_image(way);
+    if (guard.membrane.body < 0) way = pose.nearest_image(way);
     if (norm(way) > reach_) continue;  // an image of a body, or a run that has blown up
     if (auto one = held(guard.membrane, start->x, way)) {
       one->place = i;

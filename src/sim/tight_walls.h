@@ -38,9 +38,9 @@ class TightWalls {
   };
   struct Guard {
     Membrane membrane;
-    std::optional<NearCells> near;  ///< empty: of a body, whose box says what is near
-    double radius = 0;              ///< of a ball around the body that holds what is near [m]
-    std::vector<Start> starts;      ///< of the particles near it, before the step
+    NearCells near;
+    double radius = 0;          ///< of a ball around the body that holds what is near [m]
+    std::vector<Start> starts;  ///< of the particles near it, before the step
   };
   /// Vectors are relative to the body at its start.
   struct Held {
@@ -52,7 +52,6 @@ class TightWalls {
   class Pose;
 
   Pose pose_of(const Guard& guard) const;
-  bool is_near(const Guard& guard, Point x) const;
   std::vector<std::vector<std::size_t>> candidates(const ParticleView& fluid);
   std::vector<Held> crossings(const Guard& guard, const Pose& pose, const ParticleView& f,
                               const std::vector<std::size_t>& candidates) const;
@@ -61,7 +60,7 @@ class TightWalls {
   void stop(std::span<Real> v, double mass, Point x, Point normal, int body) const;
 
   std::size_t dimension_;
-  double reach_;                    // beyond a body's box [m]
+  double reach_;                    // of what is near a membrane [m]
   std::array<double, 3> period_{};  // [m]; 0: not periodic
   std::vector<double> masses_;      // of the particles of each liquid [kg; kg/m in 2D]
   Bodies* bodies_;

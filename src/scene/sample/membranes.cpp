@@ -124,7 +124,7 @@ template <int D> std::vector<Membrane> membranes(const Scene& s, double thin) {
     const Scene::Body& b = s.body[k];
     if (b.side == Side::inside) continue;
     if (b.motion == BodyMotion::fixed) append_all<D>(solids, thin_parts(b, D, thin), s);
-    else add(thin_parts(b, D, thin), false, int(k));
+    else add(thin_parts(b, D, std::min(thin, 2 * s.particles.spacing)), false, int(k));
   }
   add(std::move(sheets), true, -1);
   add(std::move(solids), false, -1);

@@ -17,7 +17,10 @@ struct Membrane {
 /// The surfaces of solids that are too thin to hold every particle by their boundary particles:
 ///
 /// - meshes with holes, and walls of points, whose near points are joined;
-/// - parts of walls and bodies that are thinner than `thin` [m].
+/// - parts of walls and fixed bodies that are thinner than `thin` [m];
+/// - parts of other bodies thinner than two spacings, which costs time: thicker ones have a layer
+/// of
+///   boundary particles on either side.
 ///
 /// Walls are repeated beyond periodic ends. The scene must have its defaults filled in.
 std::vector<Membrane> membranes_of(const Scene& scene, double thin);
