@@ -22,27 +22,32 @@ std::vector<std::string> cells(const std::string& line) {
   return all;
 }
 
-/// The cell of largest magnitude in the columns of a probe's table whose names begin with `name`:
-/// "pressure 2150 Pa at 0.42 s". Empty for a table without values.
-std::string peak(const std::filesystem::path& table, const std::string& name) {
+/// "pressure 2150 Pa at 0.42 s"; no words for a table without values.
+struct Peak {
+  double magnitude = -1;
+  std::string words;
+};
+
+/// The cell of largest magnitude in the columns of a probe's table whose names begin with `name`.
+Peak peak(const std::filesystem::path& table, const std::string& name) {
   std::ifstream in(table);
-  std::string line, words;
+  std::string line;
   std::getline(in, line);
   const std::vector<std::string> names = cells(line);
-  double most = -1;
+  Peak most;
   while (std::getline(in, line)) {
     const std::vector<std::string> row = cells(line);
     for (std::size_t k = 0; k < std::min(row.size(), names.size()); ++k) {
       if (!names[k].starts_with(name)) continue;
       const double value = std::strtod(row[k].c_str(), nullptr);
-      if (!(std::abs(value) > most)) continue;
-      most = std::abs(value);
+      if (!(std::abs(value) > most.magnitude)) continue;
+      most.magnitude = std::abs(value);
       const auto unit = names[k].find(" [");
-      words = fmt::format("{} {:.5g} {} at {} s", names[k].substr(0, unit), value,
-                          names[k].substr(unit + 2, names[k].size() - unit - 3), row[0]);
+      most.words = fmt::format("{} {:.5g} {} at {} s", names[k].substr(0, unit), value,
+                               names[k].substr(unit + 2, names[k].size() - unit - 3), row[0]);
     }
   }
-  return words;
+  return most;
 }
 
 std::string vector_words(const std::vector<double>& v) {
@@ -140,8 +145,9 @@ class Table {
     const char* quantity = p.kind == ProbeKind::surface ? "distance"
                            : p.kind == ProbeKind::wall  ? "traction"
                                                         : "pressure";
-    const std::string words = peak(output / "probes" / (name + ".csv"), quantity);
-    row("peak at " + name, words.empty() ? "no fluid" : words);
+    const Peak most = peak(output / "probes" / (name + ".csv"), quantity);
+    const bool dry = p.kind == ProbeKind::wall && most.magnitude == 0;
+    row("peak at " + name, dry ? "dry" : most.words.empty() ? "no fluid" : most.words);
   }
 
   const Scene& s_;

@@ -53,9 +53,10 @@ void add_measure(Program& program) {
       "measure", "Measure a finished run: new probes, flows, forces and loads on surfaces");
   measure.option("DIR", a->run, "the folder of a run").required();
   measure
-      .option("--probes", a->probes,
-              "a TOML file with [[probe]] and [[counter]] tables as in a scene (default: those of "
-              "the run's scene)")
+      .option(
+          "--probes", a->probes,
+          "a scene, or a TOML file with its [[probe]] and [[counter]] tables only (default: those "
+          "of the run's scene)")
       .value("FILE");
   a->keys.add_to(measure, "a key of probe or counter");
   measure.flag("--forces", a->forces, "the force on each wall and body");

@@ -17,7 +17,7 @@ struct RenderArguments {
   KeyArguments keys;
   double fps = 30, speed = 1;
   int threads = 0;
-  bool overwrite = false, quiet = false;
+  bool overwrite = false, video_only = false, quiet = false;
 };
 
 int render_run(const RenderArguments& a) {
@@ -25,6 +25,7 @@ int render_run(const RenderArguments& a) {
   options.run = a.run;
   options.output = a.output;
   options.overwrite = a.overwrite;
+  options.pictures = !a.video_only;
   options.threads = a.threads;
   options.overrides = a.keys.overrides();
   if (!a.video.empty()) options.video = VideoOptions{a.video, a.fps, a.speed};
@@ -35,9 +36,9 @@ int render_run(const RenderArguments& a) {
   const RenderReport r = render(options);
   count.finish();
   if (!a.quiet)
-    print_out("{}{} pictures in {}\nwrote {}\n{}", r.interrupted ? "interrupted after " : "",
-              r.pictures.size(), duration(r.seconds),
-              r.pictures.empty() ? "" : r.pictures.back().string(),
+    print_out("{}{} pictures in {}\n{}{}", r.interrupted ? "interrupted after " : "", r.frames,
+              duration(r.seconds),
+              r.pictures.empty() ? "" : "wrote " + r.pictures.back().string() + "\n",
               a.video.empty() ? "" : "wrote " + a.video + "\n");
   return r.interrupted ? interrupted : done;
 }
@@ -57,6 +58,7 @@ void add_render(Program& program) {
   render
       .option("--video", a->video, "make a video: FILE.gif, FILE.webp, or FILE.mp4 (needs ffmpeg)")
       .value("FILE");
+  render.flag("--no-pictures", a->video_only, "make the video only");
   render.option("--fps", a->fps, "pictures per second of the video (default: 30)")
       .range(0.001, 1e6);
   render

@@ -206,7 +206,11 @@ int resume_run(const ResumeArguments& a, const std::vector<std::string>& command
   Outcome outcome{Progress(Progress::choose(a.quiet, a.log == "json"))};
   options.warn = [&](const auto& warnings) { warn(warnings, outcome.progress); };
   options.after_step = outcome.after_step();
-  return outcome.of([&] { return resume(options); }, {options.folder, a.video, command_line});
+  Place place(options.folder, a.video, command_line);
+  options.tell_video = [&](const std::filesystem::path& file) {
+    if (place.video.empty()) place.video = std::filesystem::proximate(file).string();
+  };
+  return outcome.of([&] { return resume(options); }, place);
 }
 
 void add_log_options(const Command& command, bool& quiet, std::string& log) {

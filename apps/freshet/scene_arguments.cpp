@@ -138,8 +138,10 @@ fs::path find_scene(const std::string& name) {
 
 namespace {
 
-/// "--set time.end=..." for "time.end", "--output" for "output".
+/// "--set time.end=..." for "time.end", "--unset time.end" for "removal time.end", "--output" for
+/// "output".
 std::string command_line_of(const std::string& option) {
+  if (option.starts_with("removal ")) return "--unset " + option.substr(8);
   return option.find('.') == std::string::npos ? "--" + option : "--set " + option + "=...";
 }
 

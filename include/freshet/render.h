@@ -14,6 +14,7 @@ struct RenderOptions {
   std::filesystem::path run;        ///< the folder of a run, with its data/
   std::filesystem::path output;     ///< folder of the pictures; RUN/pictures if empty
   bool overwrite = false;           ///< replace existing pictures
+  bool pictures = true;             ///< write them; false: make the video only
   std::vector<Override> overrides;  ///< of picture.* and camera.*
   int threads = 0;                  ///< 0: as many as the machine has
   std::optional<VideoOptions> video;
@@ -26,6 +27,7 @@ struct RenderOptions {
 
 struct RenderReport {
   std::vector<std::filesystem::path> pictures;
+  std::size_t frames = 0;  ///< number of frames drawn
   bool interrupted = false;
   double seconds = 0;  ///< total wall time
 };

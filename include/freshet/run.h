@@ -50,6 +50,8 @@ struct ResumeOptions {
   std::function<void(const std::vector<Diagnostic>&)> warn;
   /// Another file for the video of the run; its pictures per second stay. Empty: the same file.
   std::filesystem::path video = {};
+  /// Receives the file of the run's video before the first step, if the run makes one.
+  std::function<void(const std::filesystem::path&)> tell_video = {};
 };
 
 /// Resumes a run from its newest valid checkpoint, its video included. The result has the same bits

@@ -158,7 +158,7 @@ Collider body_collider(const Scene& s, std::size_t k, const BodyShape& shape, bt
   const Scene::Body& b = s.body[k];
   Collider c;
   const bool flat = s.dimension() == 2;
-  if (!is_mesh(b) && b.side == Side::outside) {
+  if (!is_hull(b)) {
     Scene::Region region = b;
     if (b.shape == Shape::box && never_turns(b)) region = without_seams(s, region, c);
     c.shape = shape_of(region, flat, turn);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/model/body_shape.h"
+#include "scene/model/solid_of.h"
 
 namespace freshet {
 
@@ -32,6 +33,10 @@ struct Collider {
   std::array<bool, 3> endless{};
   btVector3 middle{0, 0, 0};  // from the origin of its place
 };
+
+/// Whether a free body collides as its convex hull, whose points are relative to its centre of
+/// mass.
+inline bool is_hull(const Scene::Body& body) { return is_mesh(body) || body.side == Side::inside; }
 
 /// The shape of a body about its centre of mass. `turn` receives the rotation from Bullet's axes,
 /// in which the inertia is diagonal. A mesh or tank that is free becomes its convex hull, because

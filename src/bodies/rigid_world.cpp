@@ -54,7 +54,7 @@ struct RigidWorld::Impl {
     out.free = freedoms_of(b, scene.dimension());
     out.collider = body_collider(scene, k, shape, out.turn);
     const bool other_axes =
-        !flat && (!turns_freely(out.free) || (!b.inertia.empty() && !is_mesh(b)));
+        !flat && (!turns_freely(out.free) || (!b.inertia.empty() && !is_hull(b)));
     if (free && (other_axes || !b.center_of_mass.empty())) compound(b, shape, out);
     const btMatrix3x3 inertia = inertia_of(shape, btMatrix3x3(out.turn).transpose());
     for (int d = 0; d < 3; ++d) out.inertia[d] = shape.density() * inertia[d][d];
@@ -68,7 +68,7 @@ struct RigidWorld::Impl {
     Collider& c = out.collider;
     c.part = std::move(c.shape);
     out.part_place.setRotation(out.turn);
-    if (!is_mesh(b)) out.part_place.setOrigin(bullet(shape.middle - shape.center));
+    if (!is_hull(b)) out.part_place.setOrigin(bullet(shape.middle - shape.center));
     if (!flat) out.turn = principal_axes(inertia_of(shape)).turn;
     auto all = std::make_unique<btCompoundShape>(false);
     all->addChildShape(btTransform(out.turn).inverse() * out.part_place, c.part.get());

@@ -57,6 +57,20 @@ std::optional<double> hit(const Corners& t, Point from, Point direction) {
   return dot(ac, q) / determinant;
 }
 
+constexpr double edge = 1e-9;  // fraction of a triangle's sides by which it is wider for crossings
+
+/// The fraction of the way from one side of a triangle to its other side, or onto it.
+std::optional<double> crossing(const Corners& t, Point from, Point to, bool two_sided) {
+  const Point ab = t[1] - t[0], ac = t[2] - t[0], n = cross(ab, ac), way = to - from;
+  const double before = dot(n, from - t[0]), after = dot(n, to - t[0]);
+  if (before == 0 || before * after > 0 || (before < 0 && !two_sided)) return {};
+  const double along = before / (before - after);
+  const Point x = from + along * way - t[0];
+  const double u = dot(cross(x, ac), n) / norm2(n), v = dot(cross(ab, x), n) / norm2(n);
+  if (!(u >= -edge && v >= -edge && u + v <= 1 + edge)) return {};
+  return along;
+}
+
 bool meets_box(Point low, Point high, Point from, Point direction, double until) {
   double enter = 0, leave = until;
   for (int k = 0; k < 3; ++k) {
@@ -206,6 +220,35 @@ std::optional<double> MeshDistance::first_hit(Point from, Point direction, doubl
         if (*at > at_least && *at < first) first = *at;
   }
   if (std::isinf(first)) return {};
+  return first;
+}
+
+std::optional<MeshDistance::Crossing> MeshDistance::first_crossing(Point from, Point to,
+                                                                   bool two_sided) const {
+  std::optional<Crossing> first;
+  const Point low = least(from, to), high = most(from, to);
+  std::vector<int> open{0};
+  while (!open.empty()) {
+    const int place = open.back();
+    const Node& node = nodes_[std::size_t(place)];
+    open.pop_back();
+    const Point slack = edge * (node.high - node.low) + Point{edge, edge, edge};
+    bool apart = false;
+    for (int k = 0; k < 3; ++k) {
+      Point l = low, h = high, nl = node.low - slack, nh = node.high + slack;
+      apart |= component(h, k) < component(nl, k) || component(l, k) > component(nh, k);
+    }
+    if (apart) continue;
+    if (node.count == 0) {
+      open.push_back(place + 1);
+      open.push_back(node.second);
+    }
+    for (int k = node.first; k < node.first + node.count; ++k) {
+      const int triangle = order_[std::size_t(k)];
+      const auto at = crossing(mesh_.corners(triangle), from, to, two_sided);
+      if (at && (!first || *at < first->along)) first = Crossing{*at, triangle};
+    }
+  }
   return first;
 }
 

@@ -40,6 +40,15 @@ class MeshDistance {
   /// The distance at which a ray first meets a triangle beyond `least`, in units of `direction`.
   std::optional<double> first_hit(Point from, Point direction, double least) const;
 
+  struct Crossing {
+    double along;  ///< fraction of the way, 0 to 1
+    int triangle;
+  };
+  /// Where a straight way first passes a triangle, or one from outside only. The edges of triangles
+  /// count, so that nothing slips through where two of them meet. A way that starts on a triangle
+  /// does not cross it.
+  std::optional<Crossing> first_crossing(Point from, Point to, bool two_sided = true) const;
+
  private:
   /// A leaf has the triangles first to first + count - 1 of `order_`. An inner node has count 0;
   /// its children are the next node and the node `second`.

@@ -127,6 +127,12 @@ void RunTables::read_all() {
     if (entry.path().extension() == ".csv") probes.push_back(entry.path());
   std::sort(probes.begin(), probes.end());
   for (const fs::path& file : probes) add(file.stem().string(), read_table(file));
+  std::vector<fs::path> measured;
+  for (const auto& entry : fs::directory_iterator(folder_, ec))
+    if (entry.path().extension() == ".csv" && entry.path().stem().string().starts_with("measured"))
+      measured.push_back(entry.path());
+  std::sort(measured.begin(), measured.end());
+  for (const fs::path& file : measured) add(file.stem().string(), read_table(file));
 }
 
 template <class F> void RunTables::each_column(F f) const {

@@ -68,10 +68,9 @@ class FrameRanges {
     std::error_code ec;
     recorded_ = fs::is_regular_file(file, ec);
     if (recorded_) rows_ = RangesByStep(file, scene);
-    const bool used = scene.picture.style != PictureStyle::water &&
-                      scene.picture.color_range.empty() &&
-                      scene.picture.color_scale == ColorScale::run &&
-                      scene.picture.color_by != ColorBy::liquid;
+    const bool used =
+        scene.picture.style != PictureStyle::water && scene.picture.color_range.empty() &&
+        scene.picture.color_scale == ColorScale::run && scene.picture.color_by != ColorBy::liquid;
     if (!recorded_ && used && options.warn)
       options.warn({{Diagnostic::Severity::warning, file.string(),
                      "this table is missing; the colours follow the data files instead, and can "
@@ -101,7 +100,11 @@ RenderReport render(const RenderOptions& options) {
                     "the run is over: only keys of [picture] and [camera] can change now, such as "
                     "picture.color_by; run the scene again for others"});
   const FinishedRun run(options.run, scene, "draw");
-  const ResultFolder pictures = picture_folder(options, run.files());
+  if (!options.pictures && !options.video)
+    throw Error(Error::Kind::scene, "option no-pictures",
+                "neither pictures nor a video are to be made; name a file with `video`", {"video"});
+  std::optional<ResultFolder> pictures;
+  if (options.pictures) pictures.emplace(picture_folder(options, run.files()));
   if (options.video) check_video(options.video->file, options.video->fps, options.overwrite);
   if (const auto gaps =
           gaps_in(run.files(), "they get no picture, and the others keep their numbers");
@@ -119,10 +122,11 @@ RenderReport render(const RenderOptions& options) {
     const Frame frame = run.read(file, &stored);
     check_color_field(scene, stored, file.path);
     const Image image = draw(scene, frame, ranges.of(frame), threads);
-    report.pictures.push_back(pictures.write(picture_name(file), encode_png(image)));
+    ++report.frames;
+    if (pictures) report.pictures.push_back(pictures->write(picture_name(file), encode_png(image)));
     if (film) film->add(image, frame.time);
     report.interrupted =
-        options.after_picture && !options.after_picture(report.pictures.size(), run.files().size());
+        options.after_picture && !options.after_picture(report.frames, run.files().size());
     if (report.interrupted) break;
   }
   if (film) film->finish();

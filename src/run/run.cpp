@@ -200,6 +200,7 @@ Report resume(const ResumeOptions& options) {
         fmt::format("this run has reached its end, {:g} s; `time.end` prolongs it", scene.time.end),
         {"time.end"});
   check_resumed_video(scene, options, checkpoint.run);
+  if (checkpoint.run.video && options.tell_video) options.tell_video(checkpoint.run.video->file);
   Observer observer(sim, options, std::move(lock), std::move(checkpoint.run));
   return run_observed(sim, observer, options.after_step);
 }

@@ -20,6 +20,15 @@ std::string place_in(const Scene& s, const std::array<double, 3>& x) {
                             : fmt::format("({:.4g}, {:.4g}, {:.4g})", x[0], x[1], x[2]);
 }
 
+Found starts_clamped(const Evidence& e) {
+  if (e.derived.outside == 0) return {};
+  return fmt::format(
+      "{} of {:.0f} particles started outside the domain, and fluid.outside = \"clamp\" put them "
+      "onto its walls, several in one place; put the fluid inside the domain, or the walls around "
+      "the fluid",
+      e.derived.outside, e.derived.particles);
+}
+
 Found starts_too_dense(const Evidence& e) {
   const WatchRecord::Particle& densest = e.record.first_densest;
   const double times = densest.value / e.derived.rest_density;
@@ -111,6 +120,7 @@ Found force_too_strong(const Evidence& e) {
 
 const std::vector<Cause>& causes() {
   static const std::vector<Cause> all{
+      {"start outside", starts_clamped},
       {"start too dense", starts_too_dense},
       {"fixed step too long", fixed_step_too_long},
       {"sound too slow", sound_too_slow},

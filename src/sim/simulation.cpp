@@ -154,6 +154,7 @@ void Simulation::step() {
 /// steps.
 double Simulation::Impl::advance(double from, double dt, int halvings, double whole) {
   constexpr int most_halvings = 3;
+  if (tight_walls.any()) tight_walls.begin(engine().fluid());
   const auto solved = engine().step(from, dt);
   double worst = 0;
   bool converged = true;
@@ -164,6 +165,7 @@ double Simulation::Impl::advance(double from, double dt, int halvings, double wh
   if (converged && halvings == 0) retries_help = true;
   if (converged || !scene.time.retry || !retries_help || !scene.method().incompressible()) {
     note(solved);
+    if (tight_walls.any()) tight_walls.hold(engine());
     engine().flow(from + dt, dt);
     return dt;
   }

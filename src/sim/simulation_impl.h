@@ -14,6 +14,7 @@
 #include "scene/model/setup.h"
 #include "sim/far_positions.h"
 #include "sim/health.h"
+#include "sim/tight_walls.h"
 
 namespace freshet {
 
@@ -29,6 +30,7 @@ struct Simulation::Impl {
         derived(derive(scene)),
         threads(threads_of(scene, execution, derived.most_particles)),
         bodies(scene.body.empty() ? nullptr : std::make_unique<Bodies>(scene)),
+        tight_walls(scene, derived, bodies.get()),
         engine_(make_engine_of(execution)) {
     health.emplace(scene, derived, engine_->fluid(), bodies.get());
   }
@@ -71,6 +73,7 @@ struct Simulation::Impl {
   std::vector<SolveStatistics> solves;
   bool retries_help = true;
   std::optional<Health> health;  // refers to the scene
+  TightWalls tight_walls;
 
  private:
   std::unique_ptr<Engine> engine_;

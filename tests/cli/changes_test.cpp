@@ -156,5 +156,26 @@ TEST(DefaultOutput, IsNumberedIfItHoldsARun) {
   EXPECT_EQ(start({"--output", "runs/article"}).code, 2);
 }
 
+TEST(Unset, IsOfferedForKeysThatOtherChangesLeaveUnused) {
+  const std::string tank =
+      "domain.max = [1, 1]\nparticles.spacing = 0.1\nfluid = { min = [0, 0], max = [0.5, 0.5] }\n"
+      "solver.name = \"wcsph\"\ntime = { end = 0.1, step = 1e-3 }\n"
+      "walls = { method = \"reflection\", restitution = 0.2 }\n";
+  const TemporaryFolder folder;
+  write_text(folder / "tank.toml", tank);
+  const std::string scene = (folder / "tank.toml").string();
+  EXPECT_TRUE(contains(error_of({"check", scene, "--set", "walls.method=akinci2012"}),
+                       "remove it, or choose that method; --unset walls.restitution removes it "
+                       "for this run"));
+  EXPECT_EQ(
+      freshet({"check", scene, "--set", "walls.method=akinci2012", "--unset", "walls.restitution"})
+          .code,
+      0);
+  const auto other =
+      freshet({"check", scene, "--solver", "dfsph", "--set", "walls.method=akinci2012"});
+  EXPECT_EQ(other.code, 0) << other.err;
+  EXPECT_TRUE(contains(other.err, "dropped: walls.restitution")) << other.err;
+}
+
 }  // namespace
 }  // namespace freshet::test

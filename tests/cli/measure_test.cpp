@@ -261,6 +261,13 @@ TEST_F(Measure, SetsProbesOnTheCommandLine) {
                  "--set time.end: error: the run is over: only keys of [probe] and [counter]");
 }
 
+TEST_F(Measure, ReadsTheProbesOfAScene) {
+  const MeasuredRun run(falling_column());
+  const char* probe = "[[probe]]\nname = \"there\"\nat = [0.2, 0.1]\n";
+  const std::string scene = run.file("scene.toml", falling_column() + probe);
+  EXPECT_NEAR(1, column(run.measured({"--probes", scene}), "there: fraction").front(), 0.05);
+}
+
 TEST_F(Measure, RejectsInvalidFilesOfProbes) {
   const MeasuredRun run(falling_column());
   const auto expect_error = [&](const std::string& text, const std::string& place,

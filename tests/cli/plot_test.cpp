@@ -287,5 +287,18 @@ TEST(Plot, LeavesNoPartialPictureOnAFullDisk) {
   EXPECT_EQ(files_below(folder.path()), (std::set<std::string>{"run/observables.csv"}));
 }
 
+TEST(Plot, DrawsMeasuredTables) {
+  const TemporaryFolder folder;
+  const std::string run = run_in(folder.path()), svg = (folder / "gauge.svg").string();
+  write_text(folder / "measured.csv",
+             "frame,time [s],gauge: pressure [Pa]\nframe_0000.vtp,0,5\nframe_0001.vtp,1,7\n");
+  for (const char* name : {"gauge: pressure", "measured: gauge: pressure"}) {
+    const auto r = freshet({"plot", run, "--columns", name, "--output", svg});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_EQ(panels_in(svg), 1u);
+  }
+  EXPECT_TRUE(contains(error_of({"plot", run, "--columns", "gauge: level"}, 2), "gauge: pressure"));
+}
+
 }  // namespace
 }  // namespace freshet::test

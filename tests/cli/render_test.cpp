@@ -65,8 +65,22 @@ TEST_F(Render, AppliesPictureSettings) {
 TEST_F(Render, RejectsOtherAndInvalidSettings) {
   expect_refused(render({"--set", "time.end=3"}), "--set time.end: error: the run is over");
   expect_refused(render({"--set", "picture.color_by=heat"}), "picture.color_by is the string");
-  expect_refused(render({"--set", "camera.orbit=3"}), "a camera needs a scene in 3D");
+  expect_refused(render({"--set", "camera.orbit=3"}),
+                 "--set camera.orbit: error: a camera needs a scene in 3D");
   EXPECT_FALSE(fs::exists(run / "pictures"));
+}
+
+TEST_F(Render, MakesAVideoWithoutPictures) {
+  const std::string film = (folder / "film.gif").string();
+  const auto r = render({"--no-pictures", "--video", film, "--fps", "10"});
+  if (r.code == 2 && contains(r.err, "ffmpeg")) GTEST_SKIP() << r.err;
+  EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_TRUE(contains(r.out, "3 pictures") && contains(r.out, "wrote " + film)) << r.out;
+  EXPECT_TRUE(fs::exists(film));
+  EXPECT_FALSE(fs::exists(run / "pictures"));
+  expect_refused(render({"--no-pictures"}),
+                 "--no-pictures: error: neither pictures nor a video are to be made; name a file "
+                 "with --video");
 }
 
 TEST_F(Render, DrawsWaterFromPositionsAlone) {

@@ -25,6 +25,7 @@ TEST_F(ResumeVideo, Continues) {
   const auto r = resume("run", {"--set", "time.end=0.25"});
   ASSERT_EQ(r.code, 0) << r.err;
   EXPECT_EQ(r.err, "");
+  EXPECT_TRUE(contains(r.out, "run.gif")) << r.out;
   EXPECT_TRUE(read_text(folder / "whole.gif") == read_text(folder / "run.gif"));
   expect_same_run("whole", "run");
 }

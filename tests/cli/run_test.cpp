@@ -293,5 +293,30 @@ TEST(Video, IsWrittenAndNotReplaced) {
   }
 }
 
+TEST(Run, CallsAWallProbeThatStaysDryDry) {
+  const TemporaryFolder folder;
+  write_text(
+      folder / "tank.toml",
+      "domain.max = [1, 1]\nparticles.spacing = 0.1\nfluid = { min = [0, 0], max = [1, 0.4] }\n"
+      "solver = { name = \"wcsph\", sound_speed = 20 }\nwalls.method = \"akinci2012\"\n"
+      "time = { end = 0.002, step = 1e-3 }\npicture.width = 40\n"
+      "[[probe]]\nname = \"high\"\nkind = \"wall\"\nfrom = [1, 0.8]\nto = [1, 0.9]\n");
+  const auto r =
+      freshet({"run", (folder / "tank.toml").string(), "--output", (folder / "run").string()});
+  EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_TRUE(contains(r.out, "peak at high          dry\n")) << r.out;
+}
+
+TEST(Run, NamesParticlesThatStartOnItsWalls) {
+  const TemporaryFolder folder;
+  const auto r = freshet(
+      {"run", article, "--solver", "dfsph", "--quiet", "--output", (folder / "run").string()});
+  EXPECT_EQ(r.code, 1);
+  EXPECT_TRUE(contains(r.err,
+                       "particles started outside the domain, and fluid.outside = \"clamp\" "
+                       "put them onto its walls"))
+      << r.err;
+}
+
 }  // namespace
 }  // namespace freshet::test

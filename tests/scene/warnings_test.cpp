@@ -112,5 +112,55 @@ TEST(SceneWarnings, DeepStillWaterOfDfsph) {
   EXPECT_EQ("", still("5.0", "warm_start = false\n"));
 }
 
+TEST(SceneWarnings, ProbeInsideASolid) {
+  const auto of = [](const std::string& more) {
+    return warnings_of(dam("dfsph\"", adaptive, more));
+  };
+  const std::string wall = "[[wall]]\nname = \"step\"\nmin = [2, 0]\nmax = [3, 1]\n",
+                    body = "[[body]]\nname = \"crate\"\nmin = [2, 0.5]\nmax = [3, 1.5]\nmotion = ";
+  EXPECT_TRUE(contains(of(wall + "[[probe]]\nat = [2.5, 0.5]\n"),
+                       "warning: this point is inside step, where it finds no fluid"));
+  EXPECT_TRUE(
+      contains(of(wall + "[[probe]]\nkind = \"line\"\nfrom = [2.1, 0.1]\nto = [2.9, 0.9]\n"),
+               "warning: all of this probe is inside step"));
+  EXPECT_EQ("", of(wall + "[[probe]]\nkind = \"line\"\nfrom = [2.1, 0.1]\nto = [2.9, 1.6]\n"));
+  EXPECT_TRUE(contains(of(body + "\"fixed\"\n[[probe]]\nat = [2.5, 1.0]\n"), "is inside crate"));
+  EXPECT_EQ("", of(body + "\"free\"\ndensity = 500\n[[probe]]\nat = [2.5, 1.0]\n"))
+      << "a free body leaves";
+}
+
+TEST(SceneWarnings, BodiesOfOneLayerInDeltaSph) {
+  const auto with = [](const std::string& solver, const std::string& method, const char* side) {
+    return warnings_of(
+        "[domain]\nmax = [2.0, 2.0]\n[particles]\nspacing = 0.05\n[fluid]\nmin = [0.5, 0.5]\n"
+        "max = [1.5, 1]\n[walls]\nmethod = \"" +
+        method + "\"\n[solver]\nname = \"" + solver +
+        "\"\n[time]\nend = 0.01\nstep = \"adaptive\"\nstep_max = 0.001\n[[body]]\n" + side);
+  };
+  const char *ball = "shape = \"sphere\"\ncenter = [1, 0.75]\nradius = 0.2\n",
+             *tank = "min = [0.5, 0.5]\nmax = [1.5, 1.5]\nside = \"inside\"\n";
+  EXPECT_TRUE(contains(with("delta_sph", "akinci2012", ball),
+                       "s.toml:9:10: warning: with walls.method = \"akinci2012\", a body has one "
+                       "layer of \"akinci2012\" particles, which delta_sph lifts too strongly"))
+      << with("delta_sph", "akinci2012", ball);
+  EXPECT_TRUE(contains(with("delta_sph", "open", ball), "lifts too strongly"));
+  EXPECT_FALSE(contains(with("delta_sph", "adami2012", ball), "lifts too strongly"));
+  EXPECT_FALSE(contains(with("dfsph", "akinci2012", ball), "lifts too strongly"));
+  EXPECT_FALSE(contains(with("delta_sph", "open", tank), "lifts too strongly"));
+}
+
+TEST(SceneWarnings, NoSlipGhostsOfDfsph) {
+  const auto with = [](const std::string& solver, const std::string& walls) {
+    return warnings_of(dam(solver + "\"", adaptive, "[walls]\n" + walls));
+  };
+  EXPECT_TRUE(contains(with("dfsph", "method = \"ghost\"\nslip = \"no_slip\"\n"),
+                       "s.toml:16:8: warning: the images of \"ghost\" sides"))
+      << with("dfsph", "method = \"ghost\"\nslip = \"no_slip\"\n");
+  EXPECT_TRUE(contains(with("dfsph", "method = \"ghost\"\n"), "warning: the images of"));
+  EXPECT_EQ("", with("dfsph", "method = \"ghost\"\nslip = \"free_slip\"\n"));
+  EXPECT_EQ("", with("iisph", "method = \"ghost\"\n"));
+  EXPECT_EQ("", with("dfsph", "method = \"akinci2012\"\n"));
+}
+
 }  // namespace
 }  // namespace freshet::test

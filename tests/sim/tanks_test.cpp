@@ -7,7 +7,9 @@
 #include "core/rotation.h"
 #include "engine/select.h"
 #include "freshet/simulation.h"
+#include "scene/model/body_shape.h"
 #include "scene/model/expressions.h"
+#include "scene/model/setup.h"
 
 namespace freshet::test {
 namespace {
@@ -90,6 +92,91 @@ TEST(Tanks, PushTheirFluidWithItsMassTimesTheAcceleration) {
   }
   const double mass = 1000 * 0.6 * 0.4;
   EXPECT_NEAR(-mass * 2 * 0.4, impulse, 0.03 * mass * 2 * 0.4);
+}
+
+/// A tank that the fluid moves.
+Simulation free_tank(const std::string& tables, const std::string& walls = "open",
+                     const std::string& solver = "dfsph") {
+  return Simulation(parse_scene(
+      tables + "side = \"inside\"\nmotion = \"free\"\n[walls]\nmethod = \"" + walls +
+          "\"\n[solver]\nname = \"" + solver + (solver == "wcsph" ? "\"\nsound_speed = 20" : "\"") +
+          "\n[time]\nend = 1\nstep = \"adaptive\"\nstep_max = 0.002\n",
+      "test.toml"));
+}
+
+// A full tank is hit: in the end it has the velocity of both together.
+TEST(FreeTanks, ShareTheirMomentumWithTheFluid) {
+  if (!moves_free_bodies()) GTEST_SKIP() << "built without Bullet";
+  const double mass = 80, fluid = 1000 * 0.4 * 0.2;
+  for (const char* solver : {"dfsph", "wcsph"}) {
+    Simulation sim = free_tank(
+        "domain.max = [2, 1]\ndomain.gravity = [0, 0]\nparticles.spacing = 0.02\n"
+        "[fluid]\nmin = [0.3, 0.3]\nmax = [0.7, 0.5]\n"
+        "[body]\nmin = [0.3, 0.3]\nmax = [0.7, 0.5]\nmass = 80\nvelocity = [1, 0]\n",
+        "open", solver);
+    const auto momentum = [&] {
+      return sim.statistics().momentum[0] + mass * sim.bodies()[0].velocity[0];
+    };
+    while (sim.time() < 0.5) sim.step();
+    EXPECT_NEAR(mass, momentum(), 1e-3 * mass) << solver;
+    EXPECT_NEAR(mass / (mass + fluid), sim.bodies()[0].velocity[0], 0.03) << solver;
+    EXPECT_LT(reach_in_tank(sim, {0.2, 0.1}), 1.0) << solver;
+  }
+}
+
+TEST(FreeTanks, FallWithTheirFluidAndComeToRest) {
+  if (!moves_free_bodies()) GTEST_SKIP() << "built without Bullet";
+  for (const bool flat : {true, false}) {
+    SCOPED_TRACE(flat ? "2D" : "3D");
+    Simulation sim =
+        free_tank(flat ? "domain.max = [1, 1]\nparticles.spacing = 0.02\n"
+                         "[fluid]\nmin = [0.3, 0.2]\nmax = [0.7, 0.3]\n"
+                         "[body]\nmin = [0.3, 0.2]\nmax = [0.7, 0.5]\nmass = 20\n"
+                       : "domain.max = [1, 1, 1]\nparticles.spacing = 0.04\n"
+                         "[fluid]\nmin = [0.3, 0.2, 0.4]\nmax = [0.7, 0.32, 0.6]\n"
+                         "[body]\nmin = [0.3, 0.2, 0.4]\nmax = [0.7, 0.5, 0.6]\nmass = 5\n",
+                  "reflection");
+    while (sim.time() < 0.15) sim.step();
+    const double tank_mass = flat ? 20 : 5, fluid = flat ? 40 : 9.6;
+    const double momentum = sim.statistics().momentum[1] + tank_mass * sim.bodies()[0].velocity[1];
+    EXPECT_NEAR(-9.81 * sim.time(), momentum / (tank_mass + fluid), 0.02) << "in free fall";
+    while (sim.time() < 1) sim.step();
+    const BodyState tank = sim.bodies()[0];
+    EXPECT_NEAR(0.15, tank.position[1], 0.01) << "the tank lies on the floor";
+    EXPECT_LT(std::abs(tank.velocity[1]), 0.05);
+    EXPECT_LT(std::abs(tank.orientation[2]), 0.02) << "and is upright";
+    const std::vector<double> half{0.2, 0.15, 0.1};
+    EXPECT_LT(reach_in_tank(sim, {half.begin(), half.end() - flat}), 1.0);
+  }
+}
+
+// The moments of thin shells, by their closed forms.
+TEST(FreeTanks, AreShellsWithAnEvenMass) {
+  const auto shape = [](const char* domain, const char* body) {
+    return body_shape(
+        with_defaults(parse_scene(std::string("domain.max = ") + domain +
+                                      "\nparticles.spacing = 0.05\ntime = { end = 1, step = 1e-4 "
+                                      "}\nsolver.name = \"dfsph\"\n"
+                                      "[[body]]\nside = \"inside\"\nmotion = \"free\"\nmass = 3\n" +
+                                      body,
+                                  "test.toml"))
+            .body[0]);
+  };
+  const BodyShape ball =
+      shape("[1, 1, 1]", "shape = \"sphere\"\ncenter = [0.5, 0.5, 0.5]\nradius = 0.3\n");
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(2.0 / 3 * 3 * 0.09, ball.density() * ball.inertia[k][k], 0.003);
+  const BodyShape disc = shape("[1, 1]", "shape = \"sphere\"\ncenter = [0.5, 0.5]\nradius = 0.3\n");
+  EXPECT_NEAR(3 * 0.09, disc.density() * disc.inertia[2][2], 0.001);
+  // a thin square frame of side a has m a²/3
+  const BodyShape square = shape("[1, 1]", "min = [0.2, 0.2]\nmax = [0.8, 0.8]\n");
+  EXPECT_NEAR(3 * 0.36 / 3, square.density() * square.inertia[2][2], 1e-9);
+  EXPECT_NEAR(0.5, square.center.x, 1e-12);
+  // of a triangle's sides, those that meet in the right angle are closer to it
+  const BodyShape triangle =
+      shape("[1, 1]", "shape = \"polygon\"\npoints = [[0.1, 0.1], [0.5, 0.1], [0.1, 0.4]]\n");
+  const double perimeter = 0.4 + 0.3 + 0.5;
+  EXPECT_NEAR((0.4 * 0.3 + 0.3 * 0.1 + 0.5 * 0.3) / perimeter, triangle.center.x, 1e-12);
 }
 
 }  // namespace

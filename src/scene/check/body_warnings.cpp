@@ -8,6 +8,7 @@
 
 #include "freshet/units.h"
 #include "scene/check/findings.h"
+#include "scene/keys/keys.h"
 #include "scene/model/body_motion.h"
 #include "scene/model/body_shape.h"
 #include "scene/model/loaded_mesh.h"
@@ -101,6 +102,15 @@ std::vector<Diagnostic> body_warnings(const Scene& s, const Derived& d) {
     list.push_back({Diagnostic::Severity::warning, place_of(s, key), std::move(message)});
   };
   const bool layered = body_method(s) == WallMethod::adami2012;
+  const bool obstacle = std::any_of(s.body.begin(), s.body.end(),
+                                    [](const auto& b) { return b.side == Side::outside; });
+  if (s.solver.name == SolverName::delta_sph && !layered && obstacle && has_fluid(s))
+    warn(
+        "walls.method",
+        fmt::format("with walls.method = \"{}\", a body has one layer of \"akinci2012\" particles, "
+                    "which delta_sph lifts too strongly: balls of 1.5 to 3 spacings by 26 to 37 %; "
+                    "set walls.method = \"adami2012\"",
+                    method_words[int(*s.walls.method)]));
   bool free = false;
   for (std::size_t k = 0; k < s.body.size(); ++k) {
     const Scene::Body& b = s.body[k];
@@ -125,10 +135,14 @@ std::vector<Diagnostic> body_warnings(const Scene& s, const Derived& d) {
       const double density = body_shape(b).density();
       if (has_fluid(s) && density < lightest * d.rest_density)
         warn(at + (b.density ? "density" : "mass"),
-             fmt::format("{} has {:.2g} times the density of the fluid: the fluid that it "
-                         "displaces is so much heavier that its motion may oscillate; {:g} times "
-                         "or more are stable",
-                         name, density / d.rest_density, lightest));
+             b.side == Side::inside
+                 ? fmt::format("{} has {:.2g} times the mass of the fluid that fits into it: its "
+                               "motion may oscillate; {:g} times or more are stable",
+                               name, density / d.rest_density, lightest)
+                 : fmt::format("{} has {:.2g} times the density of the fluid: the fluid that it "
+                               "displaces is so much heavier that its motion may oscillate; {:g} "
+                               "times or more are stable",
+                               name, density / d.rest_density, lightest));
       warn_of_mass(b, at, name, warn);
     }
     if (b.motion != BodyMotion::moved || s.time.adaptive || !has_fluid(s)) continue;

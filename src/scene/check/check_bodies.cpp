@@ -9,8 +9,6 @@
 #include "scene/model/body_shape.h"
 #include "scene/model/expressions.h"
 #include "scene/model/setup.h"
-#include "scene/sample/region_surface.h"
-#include "scene/sample/sample_bodies.h"
 
 namespace freshet {
 namespace {
@@ -213,85 +211,6 @@ bool check_thickness(const Scene& s, const Scene::Body& b, const std::string& at
   return b.shape != Shape::cylinder || thick("length", b.length, spacing);
 }
 
-/// The body particles, by body.
-template <int D> std::vector<std::vector<Vec<D, double>>> samples_of(const Scene& s) {
-  Sample all;
-  sample_bodies<D>(s, all);
-  std::vector<std::vector<Vec<D, double>>> samples(s.body.size());
-  for (std::size_t k = 0; k < all.bodies.body.size(); ++k) {
-    Vec<D, double> x{};
-    for (int d = 0; d < D; ++d) component(x, d) = all.bodies.x[D * k + std::size_t(d)];
-    samples[std::size_t(all.bodies.body[k])].push_back(x);
-  }
-  return samples;
-}
-
-template <int D> bool check_places(const Scene& s, bool walls_are_good, Findings& out) {
-  const auto samples = samples_of<D>(s);
-  std::vector<RegionSurface<D>> bodies;
-  for (const Scene::Body& b : s.body) bodies.emplace_back(b, s.particles.spacing);
-  bool good = true;
-  const auto complain = [&](std::size_t k, const std::string& what) {
-    out.error(at_body(k).substr(0, at_body(k).size() - 1), what);
-    return good = false;
-  };
-  const auto meets = [](const auto& points, const RegionSurface<D>& surface) {
-    return std::any_of(points.begin(), points.end(),
-                       [&](const auto& x) { return surface.distance(x) < 0; });
-  };
-  for (std::size_t k = 0; k < s.body.size(); ++k) {
-    const std::string name = s.body_name(k);
-    if (samples[k].empty()) {
-      complain(k,
-               fmt::format("{} has no particles at spacing {}: it is too thin everywhere; make it "
-                           "thicker or the spacing smaller",
-                           name, s.particles.spacing));
-      continue;
-    }
-    bool inside = false, crosses = false;
-    for (Vec<D, double> x : samples[k]) {
-      bool in = true;
-      for (int d = 0; d < D; ++d) {
-        const auto j = std::size_t(d);
-        if (s.periodic(d)) continue;
-        const bool low = component(x, d)<s.domain.min[j], high = component(x, d)> s.domain.max[j];
-        in &= !low && !high;
-        crosses |= (low && s.side_method(2 * d) != WallMethod::open) ||
-                   (high && s.side_method(2 * d + 1) != WallMethod::open);
-      }
-      inside |= in;
-    }
-    const bool free = s.body[k].motion == BodyMotion::free;
-    if (!inside) complain(k, fmt::format("{} is outside the domain; move it inside", name));
-    else if (free && crosses)
-      complain(k, fmt::format("{} extends through a side of the domain, and a free body must start "
-                              "inside; move it or make it smaller",
-                              name));
-    for (std::size_t w = 0; free && walls_are_good && w < s.wall.size(); ++w)
-      if (s.wall[w].shape != Shape::points &&
-          meets(samples[k], RegionSurface<D>(s.wall[w], s.particles.spacing))) {
-        complain(k,
-                 fmt::format("{} overlaps {}; move one of them", name, s.wall_names()[2 * D + w]));
-        break;
-      }
-    for (std::size_t j = 0; j < k; ++j)
-      if (meets(samples[k], bodies[j]) || meets(samples[j], bodies[k]))
-        complain(k, fmt::format("{} overlaps {}; move one of them", name, s.body_name(j)));
-    const double size = body_shape(s.body[k]).extent;
-    for (int d = 0; d < D; ++d)
-      if (const auto j = std::size_t(d);
-          free && s.periodic(d) &&
-          size + 2 * support_radius(s) > s.domain.max[j] - s.domain.min[j]) {
-        complain(k, fmt::format("{} is {:.4g} m across, too large for a domain that is periodic "
-                                "after {:.4g} m in {}: it would interact with its own image; make "
-                                "it smaller",
-                                name, size, s.domain.max[j] - s.domain.min[j], axis_names[d]));
-        break;
-      }
-  }
-  return good;
-}
-
 bool check_body(const Scene& s, std::size_t k, Findings& out) {
   const Scene::Body& b = s.body[k];
   const std::string at = at_body(k);
@@ -301,12 +220,6 @@ bool check_body(const Scene& s, std::size_t k, Findings& out) {
         fmt::format("body.shape is \"{}\"; a body must be a box, sphere, cylinder, polygon or "
                     "mesh; choose one",
                     shape_words[int(b.shape)]));
-    return false;
-  }
-  if (b.side == Side::inside && b.motion == BodyMotion::free) {
-    out.error(at + "side",
-              "body.side is \"inside\", and body.motion is \"free\": a tank can be \"fixed\" or "
-              "\"moved\" only; choose one, or enclose the fluid by several free bodies on joints");
     return false;
   }
   check_motion_keys(b, at, out);
@@ -370,6 +283,22 @@ bool check_joint(const Scene& s, std::size_t k, Findings& out) {
   return good;
 }
 
+/// A free tank collides as its convex hull, so that nothing solid can be in it.
+bool check_free_tanks(const Scene& s, Findings& out) {
+  for (std::size_t k = 0; k < s.body.size(); ++k) {
+    const Scene::Body& b = s.body[k];
+    if (b.side == Side::outside || b.motion != BodyMotion::free || s.body.size() == 1) continue;
+    out.error(
+        at_body(k) + "motion",
+        fmt::format("{} is a free tank, and there is another body, {}: a free tank collides as "
+                    "if it were solid, so that no body can be in it; set body.motion = "
+                    "\"moved\" or \"fixed\" for the tank, or remove the other bodies",
+                    s.body_name(k), s.body_name(k == 0 ? 1 : 0)));
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool check_bodies(const Scene& s, Findings& out) {
@@ -381,13 +310,9 @@ bool check_bodies(const Scene& s, Findings& out) {
   bool good = s.body.empty() || check_solver(s, out);
   check_body_names(s, out);
   for (std::size_t k = 0; k < s.body.size(); ++k) good &= check_body(s, k, out);
+  good &= check_free_tanks(s, out);
   for (std::size_t k = 0; k < s.joint.size(); ++k) good &= check_joint(s, k, out);
   return good;
-}
-
-bool check_body_places(const Scene& s, bool walls_are_good, Findings& out) {
-  return s.dimension() == 2 ? check_places<2>(s, walls_are_good, out)
-                            : check_places<3>(s, walls_are_good, out);
 }
 
 }  // namespace freshet

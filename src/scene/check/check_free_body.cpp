@@ -18,7 +18,13 @@ bool check_mass(const Scene::Body& b, const std::string& at, Findings& out) {
     out.error(at + "motion",
               "body.motion is \"free\", which needs Bullet, and this Freshet was built without it; "
               "install libbullet-dev and rebuild");
-  if (!b.density && !b.mass)
+  if (b.side == Side::inside && !b.mass)
+    out.error(at + (b.density ? "density" : "motion"),
+              b.density ? "body.density is set, and body.side is \"inside\": a tank has no "
+                          "thickness; set body.mass instead, the mass of the empty tank"
+                        : "body.motion is \"free\", and the mass is missing; set body.mass, the "
+                          "mass of the empty tank");
+  else if (!b.density && !b.mass)
     out.error(at + "motion",
               "body.motion is \"free\", and the mass is missing; set body.density or body.mass");
   else if (b.density && b.mass)

@@ -60,6 +60,15 @@ Speed fastest_in(const Scene& s) {
   return fastest;
 }
 
+/// Images of a no-slip ghost move against the fluid. The rate of the density reads this as
+/// compression, and dfsph solves for it: measured in docs/solvers.md.
+bool has_ghosts_against_dfsph(const Scene& s) {
+  if (s.solver.name != SolverName::dfsph || s.walls.slip != Slip::no_slip) return false;
+  for (int side = 0; side < 2 * s.dimension(); ++side)
+    if (!s.periodic(side / 2) && s.side_method(side) == WallMethod::ghost) return true;
+  return false;
+}
+
 }  // namespace
 
 std::vector<Diagnostic> pressure_warnings(const Scene& s, const Derived& d) {
@@ -81,6 +90,12 @@ std::vector<Diagnostic> pressure_warnings(const Scene& s, const Derived& d) {
                      linear ? "solver.stiffness" : "solver.sound_speed",
                      linear ? needed * needed : needed));
   }
+  if (has_ghosts_against_dfsph(s))
+    warn(
+        "walls.slip",
+        "the images of \"ghost\" sides with walls.slip = \"no_slip\" move against the fluid, which "
+        "dfsph takes for compression: where water hits a side, particles fly off at many times "
+        "its speed; set walls.slip = \"free_slip\", or walls.method = \"akinci2012\"");
   if (density_ratio(s) > density_ratio_limits(s).good)
     warn(key_of_lightest(s), about_density_ratio(s));
   const double depth = still_depth(s), churning = churning_speed(s, depth);

@@ -8,6 +8,7 @@
 #include "scene/model/probe_patch.h"
 #include "scene/model/setup.h"
 #include "scene/sample/akinci_layer.h"
+#include "scene/sample/region_surface.h"
 #include "scene/sample/sample_bodies.h"
 #include "scene/sample/sample_walls.h"
 
@@ -73,6 +74,28 @@ bool is_outside(const Scene& s, const Scene::Probe& p) {
   return false;
 }
 
+/// The wall or fixed body that holds all of a point or line; empty: none. Sheets are thin, and
+/// moved bodies leave.
+template <int D> std::string solid_around(const Scene& s, const Scene::Probe& p) {
+  if (!p.body.empty() || (p.kind != ProbeKind::point && p.kind != ProbeKind::line)) return "";
+  const auto from = vec_of<D>(p.kind == ProbeKind::point ? p.at : p.from),
+             to = vec_of<D>(p.kind == ProbeKind::point ? p.at : p.to);
+  constexpr int parts = 32;
+  const auto holds = [&](const Scene::Region& region) {
+    if (region.shape == Shape::points) return false;
+    const RegionSurface<D> surface(region, 0);
+    bool all = !surface.is_sheet();
+    for (int k = 0; k <= parts && all; ++k)
+      all = surface.distance(from + double(k) / parts * (to - from)) < 0;
+    return all;
+  };
+  for (std::size_t k = 0; k < s.wall.size(); ++k)
+    if (holds(s.wall[k])) return s.wall_names()[2 * D + k];
+  for (std::size_t k = 0; k < s.body.size(); ++k)
+    if (s.body[k].motion == BodyMotion::fixed && holds(s.body[k])) return s.body_name(k);
+  return "";
+}
+
 /// Whether a point, or all of a line, is less than 1.5 spacings in front of boundary particles that
 /// mirror the pressure. x: their positions relative to `origin`.
 template <class R>
@@ -98,6 +121,8 @@ void warn_of_mirrors(const Scene& s, const Sample& all, std::vector<Diagnostic>&
   const Triple origin = origin_of(s);
   for (std::size_t k = 0; k < s.probe.size(); ++k) {
     const Scene::Probe& p = s.probe[k];
+    if (s.dimension() == 2 ? !solid_around<2>(s, p).empty() : !solid_around<3>(s, p).empty())
+      continue;  // it finds no fluid
     if (!touches_mirrors(s, p, all.akinci2012.x, origin) &&
         !(bodies && touches_mirrors(s, p, all.bodies.x, {})))
       continue;
@@ -123,6 +148,14 @@ std::vector<Diagnostic> probe_warnings(const Scene& s) {
            place_of(s, fmt::format("probe[{}].{}", k, point ? "at" : "from")),
            fmt::format("{} is outside the domain, where it finds no fluid; move it inside",
                        point ? "this point" : "all of this probe")});
+    const std::string solid =
+        s.dimension() == 2 ? solid_around<2>(s, s.probe[k]) : solid_around<3>(s, s.probe[k]);
+    if (!solid.empty())
+      list.push_back(
+          {Diagnostic::Severity::warning,
+           place_of(s, fmt::format("probe[{}].{}", k, point ? "at" : "from")),
+           fmt::format("{} is inside {}, where it finds no fluid; move it into the fluid",
+                       point ? "this point" : "all of this probe", solid)});
   }
   if (s.probe.empty()) return list;
   Sample all;

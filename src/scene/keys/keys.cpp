@@ -253,9 +253,9 @@ The functions of a scene (`body_force`, `fluid.velocity_field`, `body.position`,
 - `points`: the particles of `file`.
 
 Places in walls, bodies and the zones of inlets, or closer to them than half a spacing,
-are excluded. Where a wall cuts the places of a shape in a scene without bodies, as many
-excluded places are added again as fill its volume up to the wall, and the places near the
-wall are spread evenly.
+are excluded. Where a wall or body cuts the places of a shape, as many excluded places are
+added again as fill its volume up to the surface, and the places near it are spread evenly.
+In a scene with bodies, fewer are added where they would start more than 6 % too dense.
 The places of a `lattice` stay as they are. The points of a file are excluded only inside
 walls. `info` prints the volume of the particles and that of the shape without walls and
 bodies. `check` warns if they differ by more than 1 %, or 2 % for a round shape or a mesh.
@@ -267,7 +267,8 @@ an array such as `velocity`, `Vel` or `U`. docs/data_files.md lists formats and 
            s.fluid, [&](Scene::Fluid& f) { fluid_keys(v, f); });
   v.tables("wall", R"(An obstacle or a tank: `[wall]` for one, `[[wall]]` for several.
 
-A mesh with holes is a sheet. [fluid] describes the files of points.)",
+A mesh with holes is a sheet. No particle crosses it, nor a wall of points.
+[fluid] describes the files of points.)",
            s.wall, [&](Scene::Wall& w) { wall_keys(v, w); });
   v.tables("inlet", R"(An opening where liquid enters: `[inlet]` for one, `[[inlet]]` for several.
 

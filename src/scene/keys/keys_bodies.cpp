@@ -121,14 +121,12 @@ void body_keys(KeyVisitor& v, Scene& s) {
       s.body, [&](Scene::Body& b) {
         v.text("name", b.name,
                {.unit = "", .text = "name in joints and tables", .fallback = "body[k]"});
-        region_keys(
-            v, b, Words(shape_words).first(7),
-            {.unit = "",
-             .text = "shape and place at the start: `box`, `sphere` (in 2D a disc), "
-                     "`cylinder` (3D), `polygon` (2D) or the `mesh` of a file (3D)"},
-            {.unit = "",
-             .text = "side of the fluid: `outside` of an obstacle, `inside` of a tank, which "
-                     "is `fixed` or `moved`"});
+        region_keys(v, b, Words(shape_words).first(7),
+                    {.unit = "",
+                     .text = "shape and place at the start: `box`, `sphere` (in 2D a disc), "
+                             "`cylinder` (3D), `polygon` (2D) or the `mesh` of a file (3D)"},
+                    {.unit = "",
+                     .text = "side of the fluid: `outside` of an obstacle, `inside` of a tank"});
         file_keys(v, b);
         v.choice("motion", b.motion, motion_words,
                  {.unit = "",

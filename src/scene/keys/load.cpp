@@ -118,6 +118,18 @@ std::vector<UnusedKey> unused_keys_in(const std::string& text, const std::string
   return unused_keys(scene, reader.unread());
 }
 
+/// Overrides may make keys of the file unused; another override can remove these.
+void offer_removal(const std::vector<UnusedKey>& unused, std::vector<Diagnostic>& errors) {
+  for (Diagnostic& error : errors)
+    for (const UnusedKey& k : unused)
+      if (error.place == k.why.place && error.message == k.why.message &&
+          !error.place.starts_with("override ")) {
+        error.message += "; `removal " + k.key + "` removes it for this run";
+        error.options.push_back("removal " + k.key);
+        break;
+      }
+}
+
 }  // namespace
 
 void throw_errors(std::vector<Diagnostic> errors, const SceneReader& reader,
@@ -160,6 +172,7 @@ Scene parse_scene(const std::string& text, const std::string& name,
   std::vector<Diagnostic> errors = reader.diagnostics();
   const auto more = contradictions(scene, reader.unread());
   errors.insert(errors.end(), more.begin(), more.end());
+  if (!overrides.empty()) offer_removal(unused_keys(scene, reader.unread()), errors);
   throw_errors(std::move(errors), reader, name);
   scene.source = overrides.empty() ? text : merged_source(table, overrides);
   return scene;
@@ -173,7 +186,7 @@ SceneChange change_solver(const std::filesystem::path& file, const std::string& 
                           const std::vector<Override>& overrides) {
   const std::string text = read_input(file, scene_file), name = file.string();
   std::set<std::string> kept;
-  for (const UnusedKey& k : unused_keys_in(text, name, overrides)) kept.insert(k.key);
+  for (const UnusedKey& k : unused_keys_in(text, name, {})) kept.insert(k.key);
   SceneChange change{overrides, {}};
   change.overrides.emplace_back("solver.name", fmt::format("\"{}\"", solver));
   for (bool more = true; more;) {  // other keys may depend on those that are dropped

@@ -17,11 +17,20 @@ void check_times(const Scene& scene, Findings& out) {
                "a finished run is measured at each of its data files; remove it");
 }
 
+/// Removes from a scene what is not measured.
+void keep_measures(toml::table& scene) {
+  toml::table kept;
+  for (auto&& [key, value] : scene)
+    if (key == "probe" || key == "counter") kept.insert(key, std::move(value));
+  scene = std::move(kept);
+}
+
 }  // namespace
 
 Scene measured_scene(const Scene& run, const std::string& text, const std::string& name,
                      const std::vector<Override>& overrides) {
   toml::table table = parse_toml(text, name);
+  if (table.contains("domain")) keep_measures(table);
   const auto overridden = apply_overrides(table, overrides);
   SceneReader reader(table, name, overridden, std::size_t(run.dimension()));
   Scene scene = run;

@@ -40,7 +40,11 @@ std::string SceneReader::place_of(const toml::source_region& where, const std::s
     if (const auto it = overridden_.find(p); it != overridden_.end()) return it->second;
     if (p.find_last_of(".[") == std::string::npos) break;
   }
-  if (!where.begin) return file_;
+  if (!where.begin) {  // a table that overrides have made has the place of its first key
+    const auto inside = overridden_.lower_bound(path + ".");
+    const bool found = inside != overridden_.end() && inside->first.starts_with(path + ".");
+    return found ? inside->second : file_;
+  }
   const std::string place = fmt::format("{}:{}:{}", file_, where.begin.line, where.begin.column);
   positions_[place] = where.begin;
   return place;

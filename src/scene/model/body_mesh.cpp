@@ -61,15 +61,8 @@ TriangleMesh body_mesh(const Scene::Body& b) {
 
 TriangleMesh collision_mesh(const Scene::Body& b) {
   if (is_mesh(b)) return b.loaded->distance.mesh();
-  if (b.shape == Shape::box && b.min.size() == 2) return prism_of(outline_of(b));
-  if (b.shape != Shape::sphere || b.center.size() == 3) return body_mesh(b);
-  Outline circle;
-  for (int k = 0; k < around; ++k) {
-    const double angle = 2 * std::numbers::pi * k / around;
-    circle.push_back(
-        {b.center[0] + b.radius * std::cos(angle), b.center[1] + b.radius * std::sin(angle)});
-  }
-  return prism_of(circle);
+  const bool flat = b.shape == Shape::box ? b.min.size() == 2 : b.center.size() == 2;
+  return flat ? prism_of(outline_of(b)) : body_mesh(b);
 }
 
 std::string encode_obj(const TriangleMesh& mesh, Point origin, const std::string& name) {

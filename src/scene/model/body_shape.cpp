@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/model/body_mesh.h"
 #include "scene/model/loaded_mesh.h"
 #include "scene/model/region_rotation.h"
 #include "scene/model/solid_of.h"
@@ -142,6 +143,50 @@ BodyShape of_even_density(const Scene::Body& r) {
   return is_turned_box(r) ? turned_box(r) : box(r);
 }
 
+/// A free tank is a shell: its mass is spread evenly over its surface. Sums over the triangles of
+/// the surface, in 2D over the sides of the outline.
+void spread_over_surface(const Scene::Body& r, BodyShape& b) {
+  std::vector<std::vector<Point>> pieces;
+  if (r.velocity.size() == 2) {
+    const Outline x = is_mesh(r) ? r.loaded->outline : outline_of(r);
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      const auto q = x[(k + 1) % x.size()];
+      pieces.push_back({{x[k].x, x[k].y, 0}, {q.x, q.y, 0}});
+    }
+  } else {
+    const TriangleMesh m = body_mesh(r);
+    for (int t = 0; t < int(m.triangles.size()); ++t) {
+      const auto corners = m.corners(t);
+      pieces.emplace_back(corners.begin(), corners.end());
+    }
+  }
+  double total = 0, second[3][3] = {};
+  Point first{};
+  for (auto& piece : pieces) {
+    const double n = double(piece.size());
+    Point sum{};
+    for (Point& p : piece) sum += p = p - b.center;
+    const double size = piece.size() == 2
+                            ? norm(piece[1] - piece[0])
+                            : norm(cross(piece[1] - piece[0], piece[2] - piece[0])) / 2;
+    total += size;
+    first += size / n * sum;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        double products = component(sum, i) * component(sum, j);
+        for (Point& p : piece) products += component(p, i) * component(p, j);
+        second[i][j] += size / (n * (n + 1)) * products;
+      }
+  }
+  Point c = first / total;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      second[i][j] = b.volume * (second[i][j] / total - component(c, i) * component(c, j));
+  b.center += c;
+  b.reach += norm(c);
+  set_inertia(b, second);
+}
+
 /// The tensor of the key `inertia`.
 void set_inertia(BodyShape& b, const Vector& inertia) {
   auto& i = b.inertia;
@@ -170,6 +215,7 @@ bool moves_free_bodies() {
 
 BodyShape body_shape(const Scene::Body& r) {
   BodyShape b = of_even_density(r);
+  if (r.side == Side::inside && r.motion == BodyMotion::free) spread_over_surface(r, b);
   b.middle = b.center;
   b.extent = 2 * b.reach;
   b.mass = r.mass.value_or(r.density.value_or(0) * b.volume);

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "scene/model/region_rotation.h"
 #include "scene/model/solid_of.h"
@@ -31,6 +33,17 @@ Outline corners_of_box(const Scene::Region& r) {
   Outline x;
   for (const Corner& corner : {Corner{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
     x.push_back(box.center + turn(Corner{corner.x * box.half.x, corner.y * box.half.y}));
+  return x;
+}
+
+Outline corners_of_disc(const Scene::Region& r) {
+  constexpr int corners = 64;
+  Outline x;
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 2 * std::numbers::pi * k / corners;
+    x.push_back(
+        {r.center[0] + r.radius * std::cos(angle), r.center[1] + r.radius * std::sin(angle)});
+  }
   return x;
 }
 
@@ -64,7 +77,9 @@ bool meet(Corner a, Corner b, Corner c, Corner d) {
 }  // namespace
 
 Outline outline_of(const Scene::Region& r) {
-  Outline x = r.shape == Shape::box ? corners_of_box(r) : corners_of_polygon(r);
+  Outline x = r.shape == Shape::box      ? corners_of_box(r)
+              : r.shape == Shape::sphere ? corners_of_disc(r)
+                                         : corners_of_polygon(r);
   if (signed_area(x) < 0) std::reverse(x.begin(), x.end());
   return x;
 }

@@ -12,7 +12,8 @@ namespace freshet {
 
 using Outline = std::vector<Vec<2, double>>;  ///< corners, counterclockwise
 
-/// The outline of a polygon or of a turned box in 2D. Throws Error (kind scene) at FILE.
+/// The outline of a polygon or box in 2D, or of a disc, which becomes a polygon of 64 corners.
+/// Throws Error (kind scene) at FILE.
 Outline outline_of(const Scene::Region& region);
 /// What is wrong with an outline and what to do; empty if it encloses an area.
 std::optional<std::string> fault_in(const Outline& outline);

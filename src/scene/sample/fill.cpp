@@ -11,6 +11,8 @@
 namespace freshet {
 namespace {
 
+constexpr double calm = 1.06;  // density over rest from which water beside a body starts to burst
+
 /// An excluded place of the lattice near a wall.
 template <int D> struct Candidate {
   Vec<D> x;
@@ -42,8 +44,9 @@ template <int D> class Filling {
     }
     return chosen;
   }
-  /// Spreads all places evenly near the walls of those that were added.
-  void spread(std::vector<Vec<D>>& x, const std::vector<Candidate<D>>& added) const {
+  /// Spreads all places evenly near the walls of those that were added. Returns the density of the
+  /// densest place, over that of a lattice.
+  double spread(std::vector<Vec<D>>& x, const std::vector<Candidate<D>>& added) const {
     std::vector<bool> near(faces_.size());
     for (const auto& one : added) near[one.face] = true;
     std::vector<Face<D>> walls;
@@ -51,10 +54,12 @@ template <int D> class Filling {
       if (near[f]) walls.push_back(faces_[f]);
     std::vector<Vec<D, double>> all;
     for (const auto& place : x) all.push_back(places_.in_scene(place));
-    relax<D>(all, faces_, walls, spacing_,
-             [&](Vec<D, double> at) { return !places_.is_barred(places_.place_at(at)); });
+    const double densest = relax<D>(all, faces_, walls, spacing_, [&](Vec<D, double> at) {
+      return !places_.is_barred(places_.place_at(at));
+    });
     std::transform(all.begin(), all.end(), x.begin(),
                    [&](Vec<D, double> at) { return places_.place_at(at); });
+    return densest;
   }
 
  private:
@@ -124,13 +129,20 @@ template <int D> class Filling {
 template <int D>
 std::int64_t fill_to_walls(const Scene& s, const Scene::Fluid& f, const Places<D>& places,
                            std::vector<Vec<D>>& x) {
-  if (f.shape == Shape::lattice || f.shape == Shape::points || !s.body.empty()) return 0;
+  if (f.shape == Shape::lattice || f.shape == Shape::points) return 0;
   const Filling<D> filling(s, f, places);
   const double missing = volume_asked(s, f) / std::pow(s.particles.spacing, D) - double(x.size());
-  const auto added = filling.choose(missing);
-  for (const auto& one : added) x.push_back(one.x);
-  if (!added.empty()) filling.spread(x, added);
-  return std::int64_t(added.size());
+  for (const double share : {1.0, 0.75, 0.5, 0.25}) {
+    const auto added = filling.choose(share * missing);
+    if (added.empty()) return 0;
+    std::vector<Vec<D>> filled = x;
+    for (const auto& one : added) filled.push_back(one.x);
+    const double densest = filling.spread(filled, added);
+    if (!s.body.empty() && densest > calm) continue;
+    x = std::move(filled);
+    return std::int64_t(added.size());
+  }
+  return 0;
 }
 
 template std::int64_t fill_to_walls<2>(const Scene&, const Scene::Fluid&, const Places<2>&,

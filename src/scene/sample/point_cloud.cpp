@@ -68,14 +68,16 @@ void PointColumns::check() {
   static constexpr const char* axes[] = {"x", "y", "z"};
   for (int k = 0; k < dimension_; ++k)
     if (place_[k] < 0)
-      fail(fmt::format("{} is missing; a {}D scene needs x, y{} and optionally {}; columns found: {}",
-                       axes[k], dimension_, dimension_ == 3 ? ", z" : "",
-                       dimension_ == 3 ? "vx, vy, vz" : "vx, vy", listed_names(names)));
+      fail(fmt::format(
+          "{} is missing; a {}D scene needs x, y{} and optionally {}; columns found: {}", axes[k],
+          dimension_, dimension_ == 3 ? ", z" : "", dimension_ == 3 ? "vx, vy, vz" : "vx, vy",
+          listed_names(names)));
   for (int k = 0; k < dimension_; ++k)
     if (has_velocity() && place_[3 + k] < 0)
-      fail(fmt::format(
-          "v{} is missing, and another velocity is present; write all {} or none; columns found: {}", axes[k],
-          dimension_, listed_names(names)));
+      fail(
+          fmt::format("v{} is missing, and another velocity is present; write all {} or none; "
+                      "columns found: {}",
+                      axes[k], dimension_, listed_names(names)));
 }
 
 void PointColumns::add(const std::vector<double>& values) {

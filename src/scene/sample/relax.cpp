@@ -17,13 +17,19 @@ template <int D> class Relaxation {
              const std::function<bool(Point)>& allowed)
       : x_(places), faces_(faces), spacing_(spacing), allowed_(allowed) {}
 
-  void run(const std::vector<Face<D>>& walls) {
+  /// Returns the density of the densest place that moves, over that of a lattice.
+  double run(const std::vector<Face<D>>& walls) {
     choose(walls);
     for (int k = 0; k < iterations; ++k) {
       if (k % per_list == 0) list_neighbors();
       mirror();
       step();
     }
+    list_neighbors();
+    mirror();
+    double densest = 0;
+    for (std::size_t k = 0; k < moving_; ++k) densest = std::max(densest, density(k));
+    return densest;
   }
 
  private:
@@ -90,6 +96,24 @@ template <int D> class Relaxation {
     if (q >= 1 || r < 1e-6 * spacing_) return {};
     return q * (1 - q) * (1 - q) * (1 - q) * spacing_ / r * from;
   }
+  /// The density by a cubic spline with a support of two spacings, over that of a lattice.
+  double density(std::size_t k) {
+    const auto weight = [](double r) {
+      const double far = std::max(2 - r, 0.0), near = std::max(1 - r, 0.0);
+      return far * far * far - 4 * near * near * near;
+    };
+    double sum = 0, lattice = 0;
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        for (int z = D == 3 ? -1 : 0; z <= (D == 3 ? 1 : 0); ++z)
+          lattice += weight(std::sqrt(double(x * x + y * y + z * z)));
+    const auto add = [&](Point other) { sum += weight(norm(at(k) - other) / spacing_); };
+    for (const int j : neighbors_[k]) {
+      add(at(std::size_t(j)));
+      for (const Point& image : images_[std::size_t(j)]) add(image);
+    }
+    return sum / lattice;
+  }
   void step() {
     std::vector<Point> moves(moving_);
     for (std::size_t k = 0; k < moving_; ++k) {
@@ -124,17 +148,17 @@ template <int D> class Relaxation {
 }  // namespace
 
 template <int D>
-void relax(std::vector<Vec<D, double>>& places, const std::vector<Face<D>>& faces,
-           const std::vector<Face<D>>& walls, double spacing,
-           const std::function<bool(Vec<D, double>)>& allowed) {
-  Relaxation<D>(places, faces, spacing, allowed).run(walls);
+double relax(std::vector<Vec<D, double>>& places, const std::vector<Face<D>>& faces,
+             const std::vector<Face<D>>& walls, double spacing,
+             const std::function<bool(Vec<D, double>)>& allowed) {
+  return Relaxation<D>(places, faces, spacing, allowed).run(walls);
 }
 
-template void relax<2>(std::vector<Vec<2, double>>&, const std::vector<Face<2>>&,
-                       const std::vector<Face<2>>&, double,
-                       const std::function<bool(Vec<2, double>)>&);
-template void relax<3>(std::vector<Vec<3, double>>&, const std::vector<Face<3>>&,
-                       const std::vector<Face<3>>&, double,
-                       const std::function<bool(Vec<3, double>)>&);
+template double relax<2>(std::vector<Vec<2, double>>&, const std::vector<Face<2>>&,
+                         const std::vector<Face<2>>&, double,
+                         const std::function<bool(Vec<2, double>)>&);
+template double relax<3>(std::vector<Vec<3, double>>&, const std::vector<Face<3>>&,
+                         const std::vector<Face<3>>&, double,
+                         const std::function<bool(Vec<3, double>)>&);
 
 }  // namespace freshet

@@ -9,10 +9,11 @@ namespace freshet {
 /// Spreads places near the `walls` among the faces evenly, about `spacing` apart and half a spacing
 /// from each face [Colagrossi, Bouscasse, Antuono, Marrone 2012, particle packing]. They repel each
 /// other and their mirror images behind the faces. Places far from the walls stay. A place never
-/// moves to where `allowed` is false.
+/// moves to where `allowed` is false. Returns the density of the densest place near the walls, over
+/// that of a lattice.
 template <int D>
-void relax(std::vector<Vec<D, double>>& places, const std::vector<Face<D>>& faces,
-           const std::vector<Face<D>>& walls, double spacing,
-           const std::function<bool(Vec<D, double>)>& allowed);
+double relax(std::vector<Vec<D, double>>& places, const std::vector<Face<D>>& faces,
+             const std::vector<Face<D>>& walls, double spacing,
+             const std::function<bool(Vec<D, double>)>& allowed);
 
 }  // namespace freshet
