@@ -26,6 +26,18 @@ std::optional<std::int64_t> number_of_frame(const fs::path& file, const std::str
   return number;
 }
 
+/// "data/whitewater_0007.*" of "data/frame_0007.*", in any format; empty if there is none.
+fs::path whitewater_of(const fs::path& frame) {
+  const std::string name = frame.stem().string();
+  for (const FrameFormat& format : frame_formats()) {
+    std::error_code ec;
+    if (!format.decode || !name.starts_with("frame_")) continue;
+    const fs::path file = frame.parent_path() / ("whitewater_" + name.substr(6) + format.extension);
+    if (fs::exists(file, ec)) return file;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string picture_name(const FrameFile& frame) {
@@ -58,13 +70,11 @@ Frame frame_in(std::string_view bytes, const fs::path& file, DataFields* stored)
 Frame read_frame(const fs::path& file, DataFields* stored) {
   constexpr InputFile data_file{.noun = "data file", .remedy = "name a data file of a run"};
   Frame frame = frame_in(read_input(file, data_file), file, stored);
-  std::string name = file.filename().string();
-  if (!name.starts_with("frame_")) return frame;
-  const fs::path beside = file.parent_path() / name.replace(0, 5, "whitewater");
-  std::error_code ec;
-  if (!fs::exists(beside, ec)) return frame;
+  const fs::path beside = whitewater_of(file);
+  if (beside.empty()) return frame;
   Frame with = frame_in(read_input(beside, data_file), beside);
-  if (with.step != frame.step || with.size() > 0)
+  if (with.size() > 0 || with.dimension != frame.dimension ||
+      (with.step != 0 && with.step != frame.step))
     FilePlace(beside.string())
         .fail(fmt::format("this is not the whitewater of {}; remove it, or run the scene again",
                           file.filename().string()));

@@ -25,7 +25,7 @@ std::string picture_name(const FrameFile& frame);
 std::vector<FrameFile> frame_files(const std::filesystem::path& run_folder);
 
 /// Reads a frame from a data file, and its whitewater from the file beside it, if there is one:
-/// data/whitewater_0007.vtp. Missing ids count from 0; other missing fields, the time and the
+/// data/whitewater_0007.*. Missing ids count from 0; other missing fields, the time and the
 /// step are 0. Sets `stored` to the fields that the file has. Throws Error (kind scene) if the file
 /// cannot be read, is damaged or of an unknown format.
 Frame read_frame(const std::filesystem::path& file, DataFields* stored = nullptr);

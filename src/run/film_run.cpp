@@ -110,25 +110,6 @@ FilmView view_of(const Scene& scene, const FinishedRun& run, const std::vector<F
   return viewer.view();
 }
 
-/// The files of foam and spray of a frame, in RUN/whitewater or RUN/data/whitewater: their names
-/// end with the number of the data file.
-std::vector<std::string> whitewater_files(const fs::path& run, std::int64_t number) {
-  std::vector<std::string> all;
-  for (const char* folder : {"whitewater", "data/whitewater"}) {
-    std::error_code ec;
-    for (const fs::directory_entry& entry : fs::directory_iterator(run / folder, ec)) {
-      const std::string extension = entry.path().extension().string();
-      if ((extension == ".ply" || extension == ".vtp") &&
-          entry.path().stem().string().ends_with(fmt::format("_{:04}", number)))
-        all.push_back(fs::absolute(entry.path()).lexically_normal().string());
-    }
-    if (!all.empty()) break;
-  }
-  std::sort(all.begin(), all.end());
-  if (all.size() > 1) all.resize(1);  // the same points in two formats
-  return all;
-}
-
 /// The last lines of a program's output, in one line.
 std::string last_lines(const std::string& output) {
   constexpr std::size_t most = 6;
@@ -198,8 +179,9 @@ class FilmSeries {
       write(film_surface_file(k, file.number), encode_surface_glb(mesh, {frame.time, frame.step}),
             of_frame_);
     }
-    const FilmMoment moment{file.number, whitewater_files(options_.run, file.number)};
-    write(film_frame_file(file.number), encode_film_frame(scene_, frame, moment, look_.view),
+    if (frame.whitewater.size() > 0)
+      write(film_whitewater_file(file.number), encode_ply(whitewater_table(frame)), of_frame_);
+    write(film_frame_file(file.number), encode_film_frame(scene_, frame, file.number, look_.view),
           of_frame_);
     return folder_.path() / film_frame_file(file.number);
   }

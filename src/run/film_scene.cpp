@@ -132,6 +132,9 @@ std::string film_frame_file(std::int64_t number) { return fmt::format("frame_{:0
 std::string film_surface_file(std::size_t liquid, std::int64_t number) {
   return fmt::format("liquid{}_{:04}.glb", liquid, number);
 }
+std::string film_whitewater_file(std::int64_t number) {
+  return fmt::format("whitewater_{:04}.ply", number);
+}
 
 std::string encode_film_scene(const Scene& scene, const FilmLook& look) {
   const FilmView& view = look.view;
@@ -164,12 +167,13 @@ std::map<std::string, std::string> encode_film_solids(const Scene& scene) {
   return all;
 }
 
-std::string encode_film_frame(const Scene& scene, const Frame& frame, const FilmMoment& moment,
+std::string encode_film_frame(const Scene& scene, const Frame& frame, std::int64_t number,
                               const FilmView& view) {
   const Pose pose = pose_at(scene, frame.time, view.seen);
-  Json surfaces = Json::array(), bodies = Json::array();
+  Json surfaces = Json::array(), whitewater = Json::array(), bodies = Json::array();
   for (std::size_t k = 0; k < scene.liquids().size(); ++k)
-    surfaces.push_back(film_surface_file(k, moment.number));
+    surfaces.push_back(film_surface_file(k, number));
+  if (frame.whitewater.size() > 0) whitewater.push_back(film_whitewater_file(number));
   for (const BodyState& body : frame.bodies)
     bodies.push_back({{"position", body.position},
                       {"orientation", body.orientation},
@@ -178,7 +182,7 @@ std::string encode_film_frame(const Scene& scene, const Frame& frame, const Film
   const Json json{{"time", frame.time},
                   {"step", frame.step},
                   {"surfaces", surfaces},
-                  {"whitewater", moment.whitewater},
+                  {"whitewater", whitewater},
                   {"bodies", bodies},
                   {"camera",
                    {{"position", json_of(pose.eye)},

@@ -24,25 +24,23 @@ struct FilmLook {
   FilmMaterials materials;
 };
 
-/// A frame of a film.
-struct FilmMoment {
-  std::int64_t number;                  ///< of its data file
-  std::vector<std::string> whitewater;  ///< its files of foam and spray
-};
-
 inline constexpr const char* film_scene_file = "scene.json";
 /// Such as "frame_0007.json".
 std::string film_frame_file(std::int64_t number);
 /// Such as "liquid0_0007.glb".
 std::string film_surface_file(std::size_t liquid, std::int64_t number);
 
+/// Such as "whitewater_0007.ply".
+std::string film_whitewater_file(std::int64_t number);
+
 /// scene.json: everything that is the same in all frames.
 std::string encode_film_scene(const Scene& scene, const FilmLook& look);
 /// The meshes that scene.json names, by their file names: bodies about their centres of mass, and
 /// walls that are in the domain. Infinite planes and walls around the fluid are excluded.
 std::map<std::string, std::string> encode_film_solids(const Scene& scene);
-/// frame_0007.json: time, surfaces, files of whitewater, camera and poses of the bodies.
-std::string encode_film_frame(const Scene& scene, const Frame& frame, const FilmMoment& moment,
+/// frame_0007.json: time, surfaces, whitewater, camera and poses of the bodies. `number` is that of
+/// the data file.
+std::string encode_film_frame(const Scene& scene, const Frame& frame, std::int64_t number,
                               const FilmView& view);
 
 }  // namespace freshet

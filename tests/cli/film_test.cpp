@@ -126,7 +126,10 @@ TEST_F(FilmCommand, WritesTheSceneThatBlenderReads) {
 }
 
 TEST_F(FilmCommand, WritesOnlyTheSceneWithoutBlender) {
-  write_text(run / "whitewater/foam_0001.ply", "ply\n");
+  Frame frame;
+  frame.dimension = 3;
+  frame.whitewater = {{7}, {1, 1, 1}, {0, 0, 0}, {1}, {0.5f}};
+  write_text(run / "data/whitewater_0001.ply", encode_ply(whitewater_table(frame)));
   const auto only = [&](std::vector<std::string> more) {
     more.insert(more.begin(), {"film", run.string(), "--scene-only"});
     return freshet(more, {.environment = {"PATH=/nowhere"}});
@@ -144,7 +147,8 @@ TEST_F(FilmCommand, WritesOnlyTheSceneWithoutBlender) {
     return Json::parse(read_text(scene / fmt::format("frame_{:04}.json", k)))["whitewater"];
   };
   EXPECT_EQ(foam(0), Json::array());
-  EXPECT_EQ(foam(1), Json::array({(run / "whitewater/foam_0001.ply").string()}));
+  EXPECT_EQ(foam(1), Json::array({"whitewater_0001.ply"}));
+  EXPECT_TRUE(contains(read_text(scene / "whitewater_0001.ply"), "element vertex 1\n"));
   expect_refused(only({}), "this folder holds scenes for Blender; --overwrite replaces them");
   expect_refused(only({"--overwrite", "--material", "liquid=mlik"}),
                  "--material liquid=mlik: error: unknown material \"mlik\"");

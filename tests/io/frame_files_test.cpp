@@ -131,5 +131,40 @@ TEST(FrameFiles, AreOfThePreferredFormatInOrder) {
   EXPECT_EQ(std::vector{file("frame_0003.h5", 3)}, frame_files(folder.path()));
 }
 
+// In the order of ids, as a run writes it.
+TEST(ReadFrame, ReadsTheWhitewaterBesideIt) {
+  TemporaryFolder folder;
+  for (const int dimension : {2, 3})
+    for (const DataFormat format : formats) {
+      Frame frame = sample_frame(dimension, 3);
+      WhitewaterFrame& w = frame.whitewater;
+      w.id = {1, 5};
+      w.kind = {0, 2};
+      w.age = {0.25f, 1.5f};
+      for (int k = 0; k < 2 * dimension; ++k) {
+        w.x.push_back(0.5f * float(k));
+        w.v.push_back(-0.25f * float(k));
+      }
+      const auto file = folder / data_file(format, 7);
+      write_text(file, encode_points(format, table_of(frame, {})));
+      EXPECT_EQ(read_frame(file).whitewater.size(), 0u);
+      write_text(folder / whitewater_file(format, 7),
+                 encode_points(format, whitewater_table(frame)));
+      const Frame read = read_frame(file);
+      expect_same(frame, read);
+      EXPECT_EQ(w.id, read.whitewater.id);
+      EXPECT_EQ(w.x, read.whitewater.x);
+      EXPECT_EQ(w.v, read.whitewater.v);
+      EXPECT_EQ(w.kind, read.whitewater.kind);
+      EXPECT_EQ(w.age, read.whitewater.age);
+      Frame other = frame;
+      other.step = frame.step + 1;
+      write_text(folder / whitewater_file(format, 7),
+                 encode_points(format, whitewater_table(other)));
+      EXPECT_THROW(read_frame(file), Error) << "of another step";
+      std::filesystem::remove(folder / whitewater_file(format, 7));
+    }
+}
+
 }  // namespace
 }  // namespace freshet::test

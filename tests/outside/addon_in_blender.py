@@ -35,7 +35,7 @@ def velocities(item):
     return [tuple(v.vector) for v in item.data.attributes["velocity"].data]
 
 
-write_foam(os.path.join(run, "whitewater", "foam_0001.ply"))
+write_foam(os.path.join(run, "data", "whitewater_0001.ply"))
 bpy.ops.preferences.addon_install(filepath=addon)
 bpy.ops.preferences.addon_enable(module="freshet_blender")
 bpy.ops.wm.read_factory_settings(use_empty=True)
