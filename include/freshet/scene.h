@@ -51,6 +51,16 @@ enum class Interpolation { smooth, linear };
 
 struct LoadedMesh;
 
+/// Spray, foam and bubbles, which the fluid moves and which do not act on it.
+struct WhitewaterSettings {
+  double trapped_air = 1, wave_crest = 1;  // births per particles.spacing of path
+  Vector trapped_air_limits, wave_crest_limits, speed_limits;  // low, high; by the scene if empty
+  Vector lifetime{2, 5};                                       // of foam: minimum, maximum [s]
+  double buoyancy = 2, rise_speed = 0.25;                      // of bubbles
+  std::optional<std::int64_t> max_particles;                   // three times the fluid's if not set
+  std::int64_t seed = 0;
+};
+
 /// The input of a simulation, in SI units. docs/scene.md documents every key with its unit, default
 /// and range; members and keys have the same names. A scene is loaded from TOML or filled in code.
 struct Scene {
@@ -202,15 +212,7 @@ struct Scene {
     Vector velocity;  // at rest if empty
     double density = 1.2, viscosity = 1.8e-5;
   };
-  /// Spray, foam and bubbles, which the fluid moves and which do not act on it.
-  struct Whitewater {
-    double trapped_air = 1, wave_crest = 1;  // births per particles.spacing of path
-    Vector trapped_air_limits, wave_crest_limits, speed_limits;  // low, high; by the scene if empty
-    Vector lifetime{2, 5};                                       // of foam: minimum, maximum [s]
-    double buoyancy = 2, rise_speed = 0.25;                      // of bubbles
-    std::optional<std::int64_t> max_particles;  // three times the fluid's if not set
-    std::int64_t seed = 0;
-  };
+  using Whitewater = WhitewaterSettings;
   /// The sides of the domain. A side that is not set has `method`. If `method` is not set either,
   /// it is reflection for mueller2003 and akinci2012 for the other solvers.
   struct Walls {

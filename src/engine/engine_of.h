@@ -3,7 +3,6 @@
 #pragma once
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <unordered_map>
 
@@ -82,10 +81,7 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
   }
   std::vector<std::int64_t> flow_counts() const override { return flows_.counts(); }
   void resize(std::int64_t n) override {
-    const int before = fluid_.n;
-    std::vector<int> gone(std::size_t(std::max<std::int64_t>(0, before - n)));
-    std::iota(gone.begin(), gone.end(), int(n));
-    store_.backend.edit("flows", fluid_, gone, int(std::max<std::int64_t>(0, n - before)));
+    resize_set(store_.backend, "flows", fluid_, n);
     changed();
   }
   void resize_whitewater(std::int64_t n) override {
@@ -161,9 +157,7 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
   }
   void set_force(AddForce force) override { body_force_.set_custom(std::move(force)); }
   WhitewaterView whitewater() const override {
-    WhitewaterView view = whitewater_ ? whitewater_->view() : WhitewaterView{};
-    view.origin = origin_;
-    return view;
+    return whitewater_ ? whitewater_->view(origin_) : WhitewaterView{};
   }
   std::vector<BodyState> bodies() const override {
     return bodies_ ? bodies_->bodies().states() : std::vector<BodyState>();

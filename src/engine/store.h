@@ -4,9 +4,11 @@
 #pragma once
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "engine/flows.h"
 #include "engine/state_arrays.h"
@@ -15,6 +17,14 @@
 
 namespace freshet {
 inline namespace FRESHET_ISA {
+
+/// Resizes a set to n particles: removes the last ones, or appends new ones, zeroed.
+template <int D, class B>
+void resize_set(B& backend, const char* name, Particles<D>& set, std::int64_t n) {
+  std::vector<int> gone(std::size_t(std::max<std::int64_t>(0, set.n - n)));
+  std::iota(gone.begin(), gone.end(), int(n));
+  backend.edit(name, set, gone, int(std::max<std::int64_t>(0, n - set.n)));
+}
 
 template <int D, class B> class Store final : public FieldMaker<D> {
  public:

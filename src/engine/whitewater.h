@@ -23,7 +23,7 @@ template <int D, class B> class Whitewater {
   /// fluid has moved far enough since the last time.
   virtual void step(B& backend, const FluidParticles<D>& fluid, const Walls<D>& walls,
                     const Confinement<D>& confine, Vec<D, double> gravity, double dt) = 0;
-  virtual WhitewaterView view() const = 0;
+  virtual WhitewaterView view(const Triple& origin) const = 0;
   /// Resizes the set to n particles, whose state the caller writes.
   virtual void resize(B& backend, std::int64_t n) = 0;
 };

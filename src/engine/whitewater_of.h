@@ -89,7 +89,7 @@ template <int D, class B> class WhitewaterOf final : public Whitewater<D, B> {
     elapsed_ = 0;
   }
 
-  WhitewaterView view() const override {
+  WhitewaterView view(const Triple& origin) const override {
     const auto n = std::size_t(set_.n);
     return {D,
             {set_.id.data, n},
@@ -99,14 +99,9 @@ template <int D, class B> class WhitewaterOf final : public Whitewater<D, B> {
             {set_.age.data, n},
             elapsed_,
             refused_,
-            {}};
+            origin};
   }
-  void resize(B& backend, std::int64_t n) override {
-    const int before = set_.n;
-    gone_.clear();
-    for (int i = int(n); i < before; ++i) gone_.push_back(i);
-    backend.edit("whitewater", set_, gone_, int(std::max<std::int64_t>(0, n - before)));
-  }
+  void resize(B& backend, std::int64_t n) override { resize_set(backend, "whitewater", set_, n); }
 
  private:
   /// Births at a fluid particle.

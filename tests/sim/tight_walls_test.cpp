@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "cli/files.h"
-#include "sim/small_scenes.h"
+#include "sim/forced.h"
 
 namespace freshet::test {
 namespace {
@@ -84,6 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// Between boundary particles, 1 to 17 of 36 or 216 particles went through.
 TEST_P(TightWallsUnderAJet, LetNoParticleThrough) {
+  if (!compiled(GetParam().solver)) GTEST_SKIP() << "not compiled in this build";
   Simulation sim = simulation_of(scene(), "cpu");
   double lowest = 1;
   while (!sim.finished()) {
@@ -98,6 +99,7 @@ TEST_P(TightWallsUnderAJet, LetNoParticleThrough) {
 
 /// A free plate in a jet takes up the impulse of the particles that it stops.
 TEST(TightWalls, KeepTheMomentumOfFluidAndBody) {
+  if (!compiled("pcisph")) GTEST_SKIP() << "not compiled in this build";
   Simulation sim = simulation_of(
       "[domain]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\ngravity = [0, 0, 0]\n[particles]\n"
       "spacing = 0.04\n[fluid]\nmin = [-0.08, 0.08, -0.12]\nmax = [0.16, 0.28, 0.12]\n"
