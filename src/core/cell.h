@@ -7,9 +7,9 @@
 namespace freshet {
 inline namespace FRESHET_ISA {
 
-/// A cell of the search grid, counted from near the origin. A cell is a support radius wide along y
-/// and z, and 1/`Cells::split` of it along x. All backends visit neighbours cell by cell in
-/// row-major order (x fastest) and by id inside a cell. This order depends on the state alone.
+/// A cell of the search grid, counted from the origin. A cell is a support radius wide along y and
+/// z, and 1/`Cells::split` of it along x. All backends visit neighbours cell by cell in row-major
+/// order (x fastest) and by id inside a cell. This order depends on the state alone.
 template <int D> struct Cell {
   std::int32_t c[D];
   FRESHET_HD bool operator==(const Cell& o) const {
@@ -24,8 +24,7 @@ template <int D> struct Cell {
   }
 };
 
-/// Maps positions to cells. The grid is shifted from the origin by an odd share of a cell: fluids
-/// start as lattices at round positions, and particles on borders of cells fall into either cell.
+/// Maps positions to cells.
 template <int D> class Cells {
  public:
   static constexpr int split = 4;
@@ -39,7 +38,7 @@ template <int D> class Cells {
 
   /// x along axis d in units of cells, clamped to ±1e9. A NaN is mapped to the last cell.
   FRESHET_HD double along(Real x, int d) const {
-    const double c = double(x) * (d == 0 ? split * inverse_ : inverse_) + shift;
+    const double c = double(x) * (d == 0 ? split * inverse_ : inverse_);
     const double below = c < last ? c : last;
     return below > -last ? below : -last;
   }
@@ -49,16 +48,14 @@ template <int D> class Cells {
     return cell;
   }
   /// The lower end of a cell along axis d [m].
-  FRESHET_HD double begin(double c, int d) const {
-    return (c - shift) * (d == 0 ? side_ / split : side_);
-  }
+  FRESHET_HD double begin(double c, int d) const { return c * (d == 0 ? side_ / split : side_); }
   FRESHET_HD static std::int32_t floor(double c) {
     const auto toward_zero = std::int32_t(c);
     return toward_zero - (double(toward_zero) > c);
   }
 
  private:
-  static constexpr double last = 1e9, shift = 0.381966;
+  static constexpr double last = 1e9;
   double side_ = 1, inverse_ = 1;
 };
 
