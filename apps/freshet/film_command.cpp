@@ -103,7 +103,8 @@ void add_film(Program& program) {
               "light paths per pixel; more is less noisy and slower (default: 32)")
       .range(1, 65536);
   film.option("--shutter", a->shutter,
-              "seconds of motion in a picture; 0 is none (default: a quarter of the time between "
+              "seconds that the shutter is open; 0 turns motion blur off (default: a quarter of "
+              "the time between "
               "pictures, at most 0.004)")
       .value("SECONDS")
       .range(0.0, 1e9);

@@ -26,7 +26,8 @@ std::optional<std::int64_t> number_of_frame(const fs::path& file, const std::str
   return number;
 }
 
-/// "data/whitewater_0007.*" of "data/frame_0007.*", in any format; empty if there is none.
+/// The file of the whitewater beside a data file, in any format: data/whitewater_0007.vtp beside
+/// data/frame_0007.h5. Empty if the folder has no such file.
 fs::path whitewater_of(const fs::path& frame) {
   const std::string name = frame.stem().string();
   for (const FrameFormat& format : frame_formats()) {
