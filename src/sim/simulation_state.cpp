@@ -88,6 +88,17 @@ Frame Simulation::frame() const {
   return out;
 }
 
+namespace {
+/// A coordinate on an axis that a path beyond a closed or a periodic side has led to.
+double in_domain(const Scene& scene, double x, std::size_t axis) {
+  const double low = scene.domain.min[axis], high = scene.domain.max[axis];
+  if (scene.periodic(int(axis)))
+    return x < low ? x + (high - low) : x >= high ? x - (high - low) : x;
+  if (x < low && !scene.is_open(int(2 * axis))) return low;
+  return x > high && !scene.is_open(int(2 * axis + 1)) ? high : x;
+}
+}  // namespace
+
 WhitewaterFrame Simulation::Impl::whitewater_frame() const {
   const WhitewaterView from = engine().whitewater();
   const auto D = std::size_t(from.dimension);
@@ -95,7 +106,7 @@ WhitewaterFrame Simulation::Impl::whitewater_frame() const {
   for (const std::size_t i : order_by_id(from.id)) {
     out.id.push_back(from.id[i]);
     for (std::size_t d = 0; d < D; ++d) {
-      out.x.push_back(float(from.position(i, d)));
+      out.x.push_back(float(in_domain(scene, from.position(i, d), d)));
       out.v.push_back(float(from.v[D * i + d]));
     }
     out.kind.push_back(from.kind[i]);
