@@ -29,7 +29,19 @@ double points_of_mesh(const std::vector<Real>& x, double spacing) {
   return 2 * count;
 }
 
-double surface_bytes(const SurfaceMeshFiles& files, double points) {
+namespace {
+
+/// The bytes of a *.vdb file: a layer of distances of four bytes around the surface, and values of
+/// eight bytes where a particle reaches.
+double vdb_bytes(const SurfaceSettings& s, double points, double particles) {
+  const double area = points / 1.5;  // a point for each line of the grid along three axes
+  const double reached = particles + area * (s.radius - 0.5);
+  return (36 * area + 8.6 * reached / s.cell) / (s.cell * s.cell) + 50000;
+}
+
+}  // namespace
+
+double surface_bytes(const SurfaceMeshFiles& files, double points, double particles) {
   // per point, with its two triangles
   constexpr double ply = 36 + 2 * 13, obj = 36 + 26 + 2 * 44, vtp = 36 + 2 * 32, glb = 36 + 2 * 12;
   const double cell = files.settings.cell;
@@ -42,6 +54,8 @@ double surface_bytes(const SurfaceMeshFiles& files, double points) {
       return vtp * points / (cell * cell) + 1200;
     case SurfaceFormat::glb:
       return glb * points / (cell * cell) + 900;
+    case SurfaceFormat::vdb:
+      return vdb_bytes(files.settings, points, particles);
   }
   return 0;
 }
