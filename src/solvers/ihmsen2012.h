@@ -193,10 +193,6 @@ template <int D> struct KeepOutOfWalls {
 };
 
 template <int D, class B, template <int> class Kernel> struct Ihmsen2012 {
-  /// From which boundary particles count, before the motion [spacings]: those within a spacing
-  /// after a way of 0.7.
-  static constexpr Real wall_reach = Real(1.7f);
-
   Ihmsen2012Parameters<D> c;
   Kernel<D> W;
 
@@ -248,7 +244,7 @@ template <int D, class B, template <int> class Kernel> struct Ihmsen2012 {
     for (const Particles<D>* wall : {static_cast<const Particles<D>*>(&w.akinci2012),
                                      static_cast<const Particles<D>*>(&w.adami2012),
                                      static_cast<const Particles<D>*>(&w.monaghan2009)})
-      backend.list_neighbors("whitewater: search", wall_reach * c.spacing, set, *wall);
+      backend.list_neighbors("whitewater: search", c.support, set, *wall);
     backend.sum_pairs("whitewater: motion", set, over(f, Ihmsen2012FlowAround{W, c.support, f.v}),
                       StoreFlow<D>{set});
     // In two halves: on its way of up to 0.7 spacings a particle would jump over a layer of
