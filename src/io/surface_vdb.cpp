@@ -21,7 +21,7 @@ std::string encode_fluid_vdb(const FluidGrids& grids, const SurfaceTime& time) {
     density.blocks.push_back({grids.blocks[k], {values.data()}});
     if (grids.velocity.empty()) continue;
     const auto& [x, y, z] = grids.velocity[k];
-    velocity.blocks.push_back({grids.blocks[k], {x.data(), y.data(), z.data()}});
+    velocity.blocks.push_back({grids.blocks[k], {x.data(), y.data(), z.data()}, values.data()});
   }
   std::vector<VdbGrid> all{std::move(surface), std::move(density)};
   if (!grids.velocity.empty()) all.push_back(std::move(velocity));

@@ -129,7 +129,9 @@ class TreeWriter {
     BlockMask mask;
     for (int k = 0; k < block_points; ++k)
       for (int c = 0; c < grid_.components; ++c)
-        if (std::abs(block.values[c][ours(k)]) != grid_.background) mask.set(k);
+        if (block.active ? block.active[ours(k)] != 0
+                         : std::abs(block.values[c][ours(k)]) != grid_.background)
+          mask.set(k);
     return mask;
   }
   void write_upper(std::size_t first, std::size_t end) {

@@ -14,6 +14,8 @@ struct VdbGrid {
   struct Block {
     Place place;
     const float* values[3];  ///< of each component, at the points of a block by point_index()
+    /// A point is active where this is not 0; null: where a value is not ±background.
+    const float* active = nullptr;
   };
   std::string name;
   Class kind = Class::unknown;
@@ -25,7 +27,7 @@ struct VdbGrid {
   std::vector<Place> inside;  ///< blocks that have the value -background everywhere
 };
 
-/// A file of OpenVDB, version 224, with mask compression. Values at ±background are inactive. Point
+/// A file of OpenVDB, version 224, with mask compression. Point
 /// (i, j, k) lies at origin + cell·(i, j, k) [m]. The same grids give the same bytes.
 std::string encode_vdb(const std::vector<VdbGrid>& grids, const double (&origin)[3], double cell,
                        double time, std::int64_t step);

@@ -184,7 +184,8 @@ Surface make(const Frame& frame, const Grid& grid, const SurfaceSettings& s,
 std::vector<std::array<FluidGrids::Values, 3>> velocities_of(const Surface& surface,
                                                              const std::vector<float>& v,
                                                              const Threads& threads) {
-  const auto& [bins, kernels] = surface.particles;
+  const ParticleBins& bins = surface.particles.bins;
+  const Kernels& kernels = surface.particles.kernels;
   const Spline spline(kernels.radius);
   std::vector<std::array<FluidGrids::Values, 3>> out(std::size_t(surface.field.blocks()));
   threads.parts(surface.field.blocks(), [&](int b) {

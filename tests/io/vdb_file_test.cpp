@@ -196,14 +196,22 @@ TEST(VdbFile, HoldsVectorsOfHalfFloats) {
   Values x{}, y{}, z{};
   const auto k = std::size_t(point_index(1, 2, 3));
   x[k] = 1.5f, z[k] = -0.1f;
-  const VdbGrid grid{
-      "v", VdbGrid::Class::unknown, 3, 0, true, 1, {{{0, 0, 0}, {x.data(), y.data(), z.data()}}},
-      {}};
+  Values fluid{};
+  fluid[k] = fluid[std::size_t(point_index(7, 0, 0))] = 1;
+  const VdbGrid grid{"v",
+                     VdbGrid::Class::unknown,
+                     3,
+                     0,
+                     true,
+                     1,
+                     {{{0, 0, 0}, {x.data(), y.data(), z.data()}, fluid.data()}},
+                     {}};
   const std::string bytes = encode_vdb({grid}, corner, 0.1, 0, 0);
   const VdbReader file(bytes);
   const auto& read = file.grids.at("v");
   EXPECT_EQ(read.type, "Tree_vec3s_5_4_3_HalfFloat");
-  ASSERT_EQ(read.active.size(), 1u);
+  ASSERT_EQ(read.active.size(), 2u);
+  EXPECT_EQ(read.active.at({7, 0, 0})[0], 0) << "at rest";
   const auto value = read.active.at({1, 2, 3});
   EXPECT_EQ(value[0], 1.5f);
   EXPECT_EQ(value[1], 0);

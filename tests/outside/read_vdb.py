@@ -29,7 +29,7 @@ for item in surface.citerOnValues():
     outside += item.value > 0
     if item.value < -0.5 * cell:
         assert full.getValue((x, y, z)) > 0.4, (item.min, full.getValue((x, y, z)))
-        assert len(flows.getValue((x, y, z))) == 3
+        assert flows.isValueOn((x, y, z)) and len(flows.getValue((x, y, z))) == 3
 assert steep > 0.8 * near, (steep, near)
 assert inside > 100 and outside > 100, (inside, outside)
 print("OpenVDB reads the grids:", inside, "points inside,", outside, "outside")
