@@ -102,6 +102,7 @@ void add_film(Program& program) {
   film.option("--samples", a->options.samples,
               "light paths per pixel; more is less noisy and slower (default: 32)")
       .range(1, 65536);
+  film.flag("--denoise", a->options.denoise, "smooth the noise of few samples");
   film.option("--shutter", a->shutter,
               "seconds that the shutter is open; 0 turns motion blur off (default: a quarter of "
               "the time between "
@@ -124,7 +125,7 @@ void add_film(Program& program) {
   add_video(film, *a);
   film.footer(
       "Examples:\n  freshet film runs/dam_break_3d --at 0.5\n"
-      "  freshet film runs/dam_break_3d --size 640x360 --samples 16 --video splash.webp");
+      "  freshet film runs/dam_break_3d --size 640x360 --samples 12 --denoise --video splash.webp");
   film.action([a] { return film_of(*a); });
 }
 

@@ -22,6 +22,7 @@ struct FilmOptions {
   std::int64_t every = 1;           ///< else the data files whose numbers are multiples of it
   int width = 960, height = 540;    ///< of a picture [px]
   int samples = 32;                 ///< light paths per pixel, at most
+  bool denoise = false;             ///< smooth the noise of few samples
   /// Seconds of motion in a picture; 0 for none. Default: a quarter of the time between two
   /// pictures, at most 0.004 s.
   std::optional<double> shutter;

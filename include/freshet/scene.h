@@ -53,11 +53,12 @@ struct LoadedMesh;
 
 /// Spray, foam and bubbles, which the fluid moves and which do not act on it.
 struct WhitewaterSettings {
-  double trapped_air = 1, wave_crest = 1;  // births per particles.spacing of path
-  Vector trapped_air_limits, wave_crest_limits, speed_limits;  // low, high; by the scene if empty
-  Vector lifetime{2, 5};                                       // of foam: minimum, maximum [s]
-  double buoyancy = 2, rise_speed = 0.25;                      // of bubbles
-  std::optional<std::int64_t> max_particles;                   // three times the fluid's if not set
+  double trapped_air = 1, wave_crest = 1, turbulence = 0;  // births per particles.spacing of path
+  // low, high; by the scene if empty
+  Vector trapped_air_limits, wave_crest_limits, turbulence_limits, speed_limits;
+  Vector lifetime{2, 5};                      // of foam: minimum, maximum [s]
+  double buoyancy = 2, rise_speed = 0.25;     // of bubbles
+  std::optional<std::int64_t> max_particles;  // three times the fluid's if not set
   std::int64_t seed = 0;
 };
 

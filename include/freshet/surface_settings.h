@@ -31,9 +31,10 @@ struct SurfaceSettings {
 /// Whether this build can simplify surfaces, which needs meshoptimizer.
 bool simplifies_surfaces();
 
-enum class SurfaceFormat { ply, obj, vtp, glb };
-/// In the order of SurfaceFormat.
-inline constexpr const char* surface_format_names[] = {"ply", "obj", "vtp", "glb"};
+enum class SurfaceFormat { ply, obj, vtp, glb, vdb };
+/// In the order of SurfaceFormat. A VDB file has grids instead of a mesh: signed distance, density
+/// and velocity.
+inline constexpr const char* surface_format_names[] = {"ply", "obj", "vtp", "glb", "vdb"};
 
 /// The meshes of a frame as files.
 struct SurfaceMeshFiles {
@@ -67,7 +68,8 @@ template <class Visitor, class Settings> void visit_settings(Visitor& visitor, S
 ///
 ///   flag(name, bool&, text)
 template <class Visitor, class Files> void visit_files(Visitor& visitor, Files& f) {
-  visitor.choice("format", f.format, surface_format_names, "format of the meshes");
+  visitor.choice("format", f.format, surface_format_names,
+                 "format of the meshes; vdb: grids of signed distance, density and velocity");
   visitor.flag("phases", f.phases, "a mesh for each liquid instead of one for all");
   visit_settings(visitor, f.settings);
 }

@@ -68,6 +68,8 @@ def main(folder, frame_file, picture):
     stage.add_light(collection)
     stage.aim(stage.add_camera(collection), frame["camera"])
     stage.set_renderer(scene)
+    if scene.get("denoise"):
+        stage.add_denoiser()
     set_output(scene, picture)
     bpy.ops.render.render(write_still=True)
 

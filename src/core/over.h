@@ -29,6 +29,17 @@ Over<D, Term> over_copies(int rule, const Particles<D>& set, const Term& term) {
   return {set, term, rule};
 }
 
+/// A term whose sum is needed at the particles with where(i) only. A backend may compute the sums
+/// of other particles or not: `finish` must not use them.
+template <class Term, class Where> struct OnlyWhere : Term {
+  Where where;
+  FRESHET_HD bool wants(int i) const { return where(i); }
+};
+template <class Term, class Where>
+OnlyWhere<Term, Where> only_where(const Where& where, const Term& term) {
+  return {term, where};
+}
+
 /// Calls f(last, others...). A verb takes its sources first and its finish last.
 template <class F, class... A> void with_last_first(const F& f, const A&... a) {
   constexpr std::size_t last = sizeof...(A) - 1;

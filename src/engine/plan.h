@@ -81,8 +81,8 @@ struct ForcesPlan {
 /// Spray, foam and bubbles: Scene::Whitewater explains the numbers.
 struct WhitewaterPlan {
   bool active = false;
-  double trapped_air = 0, wave_crest = 0;
-  std::array<double, 2> trapped_limits{}, crest_limits{}, speed_limits{};
+  double trapped_air = 0, wave_crest = 0, turbulence = 0;
+  std::array<double, 2> trapped_limits{}, crest_limits{}, turbulence_limits{}, speed_limits{};
   double life_min = 0, life_max = 0;
   double buoyancy = 0, rise_speed = 0;
   double neighbors = 0;  ///< number of neighbours in a resting lattice

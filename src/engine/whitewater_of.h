@@ -26,8 +26,10 @@ template <int D> Ihmsen2012Parameters<D> ihmsen2012_parameters(const EnginePlan&
   c.neighbors_inside = Real(w.neighbors);
   c.trapped_air = Real(w.trapped_air);
   c.wave_crest = Real(w.wave_crest);
+  c.turbulence = Real(w.turbulence);
   c.trapped_limits = limits(w.trapped_limits);
   c.crest_limits = limits(w.crest_limits);
+  c.turbulence_limits = limits(w.turbulence_limits);
   c.energy_limits = limits({square(w.speed_limits[0]) / 2, square(w.speed_limits[1]) / 2});
   c.buoyancy = Real(w.buoyancy);
   c.rise_speed = Real(w.rise_speed);
@@ -45,6 +47,7 @@ template <int D, class B> class WhitewaterOf final : public Whitewater<D, B> {
 
   void fields(Store<D, B>& store) override {
     store.make("whitewater_normal", Keep::scratch, sources_.n);
+    if (plan_.turbulence > 0) store.make("whitewater_spin", Keep::scratch, sources_.spin);
     store.make("whitewater_births", Keep::scratch, sources_.births);
     store.make("whitewater_near", Keep::scratch, sources_.near);
     store.backend.add_set(set_, 0);

@@ -26,7 +26,8 @@ struct MeshFormat {
 constexpr MeshFormat mesh_formats[] = {{".ply", encode_surface_ply},
                                        {".obj", encode_surface_obj},
                                        {".vtp", encode_surface_vtp},
-                                       {".glb", encode_surface_glb}};
+                                       {".glb", encode_surface_glb},
+                                       {".vdb", nullptr}};
 
 }  // namespace
 

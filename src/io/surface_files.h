@@ -35,6 +35,7 @@ struct SolidMaterial {
 /// The surface of a solid as glTF 2.0, by the layout of encode_surface_glb.
 std::string encode_solid_glb(const SurfaceMesh& mesh, const SolidMaterial& material);
 
+/// In one of the formats of meshes, which are all but VDB.
 std::string encode_surface(SurfaceFormat format, const SurfaceMesh& mesh, const SurfaceTime& time);
 /// Such as ".ply".
 const char* extension_of(SurfaceFormat format);

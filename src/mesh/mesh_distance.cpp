@@ -7,6 +7,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/nearest_on_triangle.h"
+
 namespace freshet {
 namespace {
 
@@ -25,24 +27,6 @@ Point most(Point a, Point b) {
 
 double distance2(Point low, Point high, Point x) {
   return norm2(most(most(low - x, x - high), Point{}));
-}
-
-/// The point of a triangle nearest to x, by the region of its plane that x projects to [Ericson
-/// 2005, 5.1.5].
-Point nearest_of(const Corners& t, Point x) {
-  const auto& [a, b, c] = t;
-  const Point ab = b - a, ac = c - a, ax = x - a, bx = x - b, cx = x - c;
-  const double d1 = dot(ab, ax), d2 = dot(ac, ax), d3 = dot(ab, bx), d4 = dot(ac, bx),
-               d5 = dot(ab, cx), d6 = dot(ac, cx);
-  if (d1 <= 0 && d2 <= 0) return a;
-  if (d3 >= 0 && d4 <= d3) return b;
-  if (d6 >= 0 && d5 <= d6) return c;
-  const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
-    return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
-  return a + vb / (va + vb + vc) * ab + vc / (va + vb + vc) * ac;
 }
 
 /// The distance at which a ray meets a triangle, in units of `direction` [Möller and Trumbore
@@ -162,7 +146,7 @@ void MeshDistance::nearest(int place, Point x, Nearest& best) const {
   if (node.count > 0) {
     for (int k = node.first; k < node.first + node.count; ++k) {
       const int triangle = order_[std::size_t(k)];
-      const Point p = nearest_of(mesh_.corners(triangle), x);
+      const Point p = nearest_on_triangle(mesh_.corners(triangle), x);
       if (const double d = norm(x - p); d < best.distance) best = {d, p, triangle};
     }
     return;

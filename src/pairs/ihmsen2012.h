@@ -21,39 +21,66 @@ template <int D, template <int> class Kernel> struct Ihmsen2012Gradient {
 };
 template <int D, template <int> class K> Ihmsen2012Gradient(K<D>) -> Ihmsen2012Gradient<D, K>;
 
-/// Sums over the neighbours other than i: their weights w, their number, and the two potentials.
-template <int D, class R> struct Ihmsen2012Sums {
-  R weight{}, neighbors{}, trapped_air{}, wave_crest{};
-  FRESHET_HD Ihmsen2012Sums& operator+=(const Ihmsen2012Sums& o) {
+/// Sums over the neighbours other than i: their weights w, and w times a potential.
+template <int D, class R> struct Ihmsen2012Mean {
+  R weight{}, potential{};
+  FRESHET_HD Ihmsen2012Mean& operator+=(const Ihmsen2012Mean& o) {
     weight += o.weight;
-    neighbors += o.neighbors;
-    trapped_air += o.trapped_air;
-    wave_crest += o.wave_crest;
+    potential += o.potential;
     return *this;
   }
+  FRESHET_HD R mean() const { return weight > 0 ? potential / weight : R(0); }
+};
+/// The same, and the number of neighbours.
+template <int D, class R> struct Ihmsen2012Sums {
+  R weight{}, potential{}, neighbors{};
+  FRESHET_HD Ihmsen2012Sums& operator+=(const Ihmsen2012Sums& o) {
+    weight += o.weight;
+    potential += o.potential;
+    neighbors += o.neighbors;
+    return *this;
+  }
+  FRESHET_HD R mean() const { return weight > 0 ? potential / weight : R(0); }
 };
 
-/// trapped air  sum_j |v_ij| (1 - v^_ij · x^_ij) w_ij                       [eq. 2; m/s]
-/// wave crest   sum_j (1 - n_i · n_j) w_ij over the j below the plane at i  [eq. 4]
-/// w = 1 - r/h                                                              [eq. 3]
-///
-///   h  support radius [m];  reads v [m/s] and n, the outward normal of a surface particle, else 0
-template <int D> struct Ihmsen2012Potentials {
+/// w = 1 - r/h  [eq. 3]: 0 for the particle itself and beyond the support radius h [m].
+template <class P, class R = decltype(P::r)> FRESHET_HD R ihmsen2012_weight(const P& ij, Real h) {
+  return select(ij.r > R(0), max(R(1) - ij.r / R(h), R(0)), R(0));
+}
+
+/// Trapped air  sum_j |v_ij| (1 - v^_ij · x^_ij) w_ij  [eq. 2; m/s]. Reads v [m/s].
+template <int D> struct Ihmsen2012TrappedAir {
   Real h;
-  Field<Vec<D>> v, n;
-  template <class R> struct At { Vec<D, R> v, n; };
+  Field<Vec<D>> v;
+  template <class R> struct At { Vec<D, R> v; };
   template <class R> using Neighbor = At<R>;
-  FRESHET_HD At<Real> at(int i) const { return {v[i], n[i]}; }
+  FRESHET_HD At<Real> at(int i) const { return {v[i]}; }
   FRESHET_HD Neighbor<Real> neighbor(int j) const { return at(j); }
   template <class R>
   FRESHET_HD Ihmsen2012Sums<D, R> operator()(const Pair<D, R>& ij, const At<R>& i,
                                              const At<R>& j) const {
-    const R near = select(ij.r < R(h), R(1), R(0)), other = select(ij.r > R(0), near, R(0));
-    const R w = other * (R(1) - ij.r / R(h));
+    const R w = ihmsen2012_weight(ij, h);
     const Vec<D, R> v = i.v - j.v;
     const R approach = sqrt(norm2(v)) - dot(v, ij.x) / max(ij.r, R(Real(1e-20f)));
+    return {w, w * approach, select(w > R(0), R(1), R(0))};
+  }
+};
+
+/// Wave crest  sum_j (1 - n_i · n_j) w_ij over the j below the plane at i  [eq. 4]. Reads n, the
+/// outward normal of a surface particle, else 0.
+template <int D> struct Ihmsen2012WaveCrest {
+  Real h;
+  Field<Vec<D>> n;
+  template <class R> struct At { Vec<D, R> n; };
+  template <class R> using Neighbor = At<R>;
+  FRESHET_HD At<Real> at(int i) const { return {n[i]}; }
+  FRESHET_HD Neighbor<Real> neighbor(int j) const { return at(j); }
+  template <class R>
+  FRESHET_HD Ihmsen2012Mean<D, R> operator()(const Pair<D, R>& ij, const At<R>& i,
+                                             const At<R>& j) const {
+    const R w = ihmsen2012_weight(ij, h);
     const R turned = dot(j.n, j.n) - dot(i.n, j.n);
-    return {w, other, w * approach, w * select(dot(ij.x, i.n) > R(0), turned, R(0))};
+    return {w, w * select(dot(ij.x, i.n) > R(0), turned, R(0))};
   }
 };
 

@@ -290,10 +290,10 @@ FilmReport make_film(const FilmOptions& options) {
       options.warn && !options.at && !gaps.empty())
     options.warn(gaps);
   const FilmView view = view_of(scene, run, frames);
-  const FilmLook look{
-      {options.width, options.height, options.samples, options.shutter.value_or(view.shutter)},
-      view,
-      materials};
+  const FilmLook look{{options.width, options.height, options.samples,
+                       options.shutter.value_or(view.shutter), options.denoise},
+                      view,
+                      materials};
   FilmSeries film(options, scene, look, frames);
   film.write_scene();
   FilmReport report;

@@ -144,6 +144,7 @@ std::string encode_film_scene(const Scene& scene, const FilmLook& look) {
                   {"height", look.picture.height},
                   {"samples", look.picture.samples},
                   {"shutter", look.picture.shutter},
+                  {"denoise", look.picture.denoise},
                   {"spacing", scene.particles.spacing},
                   {"domain", {{"min", scene.domain.min}, {"max", scene.domain.max}}},
                   {"seen", {{"min", json_of(view.seen.low)}, {"max", json_of(view.seen.high)}}},

@@ -15,6 +15,7 @@ namespace freshet {
 struct FilmPicture {
   int width, height, samples;
   double shutter;  ///< seconds of motion in a picture
+  bool denoise;
 };
 
 /// What a film's frames share.

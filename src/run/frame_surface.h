@@ -6,6 +6,7 @@
 #include "freshet/scene.h"
 #include "freshet/surface.h"
 #include "run/finished_run.h"
+#include "surface/fluid_grids.h"
 
 namespace freshet {
 
@@ -14,9 +15,11 @@ namespace freshet {
 Scene scene_in_3d(const std::filesystem::path& run, const std::vector<Override>& overrides,
                   const ChangeableKeys& keys, const char* noun);
 
-/// The surface of a frame. Errors about the frame have `file` as their place.
+/// The surface of a frame, and its grids. Errors about the frame have `file` as their place.
 SurfaceMesh surface_of_frame(const Scene& scene, const Frame& frame,
                              const std::filesystem::path& file, const SurfaceSettings& settings,
                              int threads);
+FluidGrids grids_of_frame(const Scene& scene, const Frame& frame, const std::filesystem::path& file,
+                          const SurfaceSettings& settings, int threads);
 
 }  // namespace freshet

@@ -5,6 +5,7 @@
 
 #include "io/frame_data.h"
 #include "io/surface_files.h"
+#include "io/surface_vdb.h"
 #include "run/frame_surface.h"
 #include "surface/liquid_part.h"
 
@@ -37,11 +38,15 @@ void write_surfaces(const Scene& scene, const SurfaceMeshFiles& files, const Num
                     int threads, const WriteFile& write) {
   const SurfaceNames names(files, scene);
   for (int liquid = 0; liquid < names.meshes(); ++liquid) {
-    const SurfaceMesh mesh =
-        surface_of_frame(scene, files.phases ? liquid_part(of.frame, liquid) : of.frame, of.place,
-                         files.settings, threads);
-    write(names.mesh(of.number, liquid),
-          encode_surface(files.format, mesh, {of.frame.time, of.frame.step}));
+    const Frame part = files.phases ? liquid_part(of.frame, liquid) : of.frame;
+    const SurfaceTime time{of.frame.time, of.frame.step};
+    const std::string bytes =
+        files.format == SurfaceFormat::vdb
+            ? encode_fluid_vdb(grids_of_frame(scene, part, of.place, files.settings, threads), time)
+            : encode_surface(files.format,
+                             surface_of_frame(scene, part, of.place, files.settings, threads),
+                             time);
+    write(names.mesh(of.number, liquid), bytes);
   }
 }
 

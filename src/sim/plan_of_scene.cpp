@@ -209,8 +209,10 @@ void plan_whitewater(const Scene& s, const Derived& d, EnginePlan& p) {
   w.active = true;
   w.trapped_air = from.trapped_air;
   w.wave_crest = from.wave_crest;
+  w.turbulence = from.turbulence;
   w.trapped_limits = limits(from.trapped_air_limits, 0.1 * d.fastest, 0.4 * d.fastest);
   w.crest_limits = limits(from.wave_crest_limits, 0.2, 0.8);
+  w.turbulence_limits = limits(from.turbulence_limits, 0.1 * d.fastest, 0.4 * d.fastest);
   w.speed_limits = limits(from.speed_limits, 0.15 * d.fastest, 0.5 * d.fastest);
   w.life_min = from.lifetime[0];
   w.life_max = from.lifetime[1];

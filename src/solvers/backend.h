@@ -37,7 +37,8 @@ concept Backend = requires(B b, Particles<D> p, Particles<D> wall, Real h, AnyTe
   /// positions of p at that search.
   b.list_neighbors("", h, wall, p);
   /// Calls finish(i, sum_j term(pair, at(i), neighbor(j))). The order of j is by set, by cell, by
-  /// id in a cell; copies are last.
+  /// id in a cell; copies are last. Sums of terms by only_where() are computed where they are
+  /// needed.
   b.sum_pairs("", p, over(p, term), finish);
   b.sum_pairs("", p, over(p, term), over(wall, term), finish);
   /// Calls visit(i) for every particle.

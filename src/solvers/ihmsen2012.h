@@ -8,6 +8,7 @@
 #include "core/fluid_particles.h"
 #include "core/over.h"
 #include "freshet/whitewater.h"
+#include "pairs/bender2019.h"
 #include "pairs/ihmsen2012.h"
 #include "pairs/wall_contacts.h"
 
@@ -24,17 +25,21 @@ struct Limits {
 };
 
 template <int D> struct Ihmsen2012Parameters {
-  Real support, spacing;         ///< [m]
-  Real neighbors_inside;         ///< of a resting lattice, the particle itself not counted
-  Real trapped_air, wave_crest;  ///< births per spacing of path at full potential
-  Limits trapped_limits;         ///< of the trapped air [m/s]
-  Limits crest_limits;           ///< of the wave crest [1]
-  Limits energy_limits;          ///< of the kinetic energy over the mass [m^2/s^2]
-  Real buoyancy, rise_speed;     ///< k_b [1], of a bubble in still water [m/s]
-  Vec<D> min, max;               ///< of the domain [m]
-  unsigned closed;               ///< bit mask of the sides that keep whitewater inside
+  Real support, spacing;  ///< [m]
+  Real neighbors_inside;  ///< of a resting lattice, the particle itself not counted
+  /// Births per spacing of path at full potential.
+  Real trapped_air, wave_crest, turbulence;
+  Limits trapped_limits;      ///< of the trapped air [m/s]
+  Limits crest_limits;        ///< of the wave crest [1]
+  Limits turbulence_limits;   ///< of the turbulence [m/s]
+  Limits energy_limits;       ///< of the kinetic energy over the mass [m^2/s^2]
+  Real buoyancy, rise_speed;  ///< k_b [1], of a bubble in still water [m/s]
+  Vec<D> min, max;            ///< of the domain [m]
+  unsigned closed;            ///< bit mask of the sides that keep whitewater inside
   /// Less than 6 of about 33 neighbours inside are spray, more than 20 a bubble [sec. 3.3].
   Real spray_below = Real(0.18f), bubble_above = Real(0.6f);
+  /// More of the neighbours inside are around no particle of a surface.
+  Real surface_below = Real(0.85f);
 
   FRESHET_HD WhitewaterKind kind(Real neighbors) const {
     const Real share = neighbors / neighbors_inside;
@@ -52,41 +57,84 @@ template <int D> struct WhitewaterParticles : Particles<D> {
   Field<Real> near;      ///< scratch: the number of fluid particles around it
 };
 
-/// Scratch of the fluid: its outward normal at the surface, else 0; the births expected; and the
-/// number of neighbours.
+/// Scratch of the fluid.
 template <int D> struct WhitewaterSources {
-  Field<Vec<D>> n;
-  Field<Real> births, near;
+  Field<Vec<D>> n;     ///< the outward normal of a fast particle at the surface, else 0
+  Field<Vec<D>> spin;  ///< angular velocity of the fluid around it [1/s]; without turbulence none
+  Field<Real> births;  ///< expected, of fast particles; else 0
+  Field<Real> near;    ///< number of neighbours of fast particles
+};
+
+/// The particles whose energy is high enough for births.
+template <int D> struct IsFast {
+  Field<Vec<D>> v;
+  Real energy;  ///< over the mass [m^2/s^2]
+  FRESHET_HD bool operator()(int i) const { return norm2(v[i]) > 2 * energy; }
+};
+/// Fast particles with too few neighbours to be inside.
+template <int D> struct MayBeAtSurface {
+  IsFast<D> fast;
+  Field<Real> near;
+  Real below;
+  FRESHET_HD bool operator()(int i) const { return fast(i) && near[i] < below; }
+};
+/// Particles at the surface that move outwards  [eq. 7].
+template <int D> struct MovesOutwards {
+  Field<Vec<D>> v, n;
+  FRESHET_HD bool operator()(int i) const {
+    const Real along = dot(v[i], n[i]);
+    return along > 0 && along >= Real(0.6f) * norm(v[i]);
+  }
 };
 
 /// n = -grad c/|grad c| of the colour field c where a neighbourhood is one-sided. A flat surface
 /// has a gradient of 1.4 over the support radius; the disorder inside of a splash has less than
 /// the limit of 0.5.
 template <int D> struct SurfaceNormal {
+  MayBeAtSurface<D> at_surface;
   Field<Vec<D>> n;
   Real V, support;
   FRESHET_HD void operator()(int i, Vec<D> sum) const {
+    n[i] = {};
+    if (!at_surface(i)) return;
     const Vec<D> gradient = V * sum;
     const Real size = norm(gradient);
-    n[i] = size * support > Real(0.5f) ? (-1 / size) * gradient : Vec<D>{};
+    if (size * support > Real(0.5f)) n[i] = (-1 / size) * gradient;
   }
 };
 
-/// The births expected while a particle moves for dt  [eq. 9].
+/// The births expected while a particle moves for dt  [eq. 9], of the first potential.
 template <int D> struct ExpectBirths {
   Ihmsen2012Parameters<D> c;
   WhitewaterSources<D> of;
-  Field<Vec<D>> v;
+  IsFast<D> fast;
   Real dt;
   FRESHET_HD void operator()(int i, const Ihmsen2012Sums<D, Real>& sums) const {
-    of.near[i] = sums.neighbors;
     of.births[i] = 0;
-    if (!(sums.weight > 0)) return;
-    const Real speed = norm(v[i]);
-    const bool crest = dot(v[i], of.n[i]) >= Real(0.6f) * speed;  // eq. 7
-    const Real made = c.trapped_air * c.trapped_limits(sums.trapped_air / sums.weight) +
-                      (crest ? c.wave_crest * c.crest_limits(sums.wave_crest / sums.weight) : 0);
-    of.births[i] = c.energy_limits(square(speed) / 2) * made * (speed * dt / c.spacing);
+    of.near[i] = 0;
+    if (!fast(i)) return;
+    of.near[i] = sums.neighbors;
+    of.births[i] = factor(i) * c.trapped_air * c.trapped_limits(sums.mean());
+  }
+  FRESHET_HD Real factor(int i) const {
+    const Real speed = norm(fast.v[i]);
+    return c.energy_limits(square(speed) / 2) * (speed * dt / c.spacing);
+  }
+};
+/// Adds those of another potential.
+template <int D, class Where> struct AddBirths {
+  ExpectBirths<D> expect;
+  Where where;
+  Real most;
+  Limits limits;
+  FRESHET_HD void operator()(int i, const Ihmsen2012Mean<D, Real>& sums) const {
+    if (where(i)) expect.of.births[i] += expect.factor(i) * most * limits(sums.mean());
+  }
+};
+template <int D> struct StoreSpin {
+  Field<Vec<D>> spin;
+  FRESHET_HD void operator()(int i, const Bender2019Moments<D, Real>& sums) const {
+    spin[i] = bender2019_spin<D>(sums);
   }
 };
 
@@ -151,17 +199,36 @@ template <int D, class B, template <int> class Kernel> struct Ihmsen2012 {
   /// The births expected of each fluid particle in dt. Lists of the fluid's neighbours exist.
   void find_births(B& backend, const FluidParticles<D>& f, const Walls<D>& w,
                    const WhitewaterSources<D>& of, Real dt) const {
+    constexpr const char* line = "whitewater: births";
+    const IsFast<D> fast{f.v, c.energy_limits.low};
+    const ExpectBirths<D> expect{c, of, fast, dt};
+    backend.share("whitewater", f, f.v);
+    backend.sum_pairs(line, f, over(f, only_where(fast, Ihmsen2012TrappedAir<D>{c.support, f.v})),
+                      expect);
+    if (c.wave_crest > 0) add_crests(backend, f, w, of, expect);
+    if (!(c.turbulence > 0)) return;
+    backend.sum_pairs(line, f, over(f, Bender2019Spin<D>{c.support, f.v}), StoreSpin<D>{of.spin});
+    backend.share("whitewater", f, of.spin);
+    backend.sum_pairs(line, f,
+                      over(f, only_where(fast, Bender2019Turbulence<D>{c.support, of.spin})),
+                      AddBirths<D, IsFast<D>>{expect, fast, c.turbulence, c.turbulence_limits});
+  }
+  /// Those in the crests of waves.
+  void add_crests(B& backend, const FluidParticles<D>& f, const Walls<D>& w,
+                  const WhitewaterSources<D>& of, const ExpectBirths<D>& expect) const {
+    constexpr const char* line = "whitewater: births";
     Real V = c.spacing;
     for (int k = 1; k < D; ++k) V *= c.spacing;
-    const Ihmsen2012Gradient gradient{W};
-    backend.share("whitewater", f, f.v);
-    backend.sum_pairs("whitewater: births", f, over(f, gradient), over(w.akinci2012, gradient),
+    const MayBeAtSurface<D> near{expect.fast, of.near, c.surface_below * c.neighbors_inside};
+    const auto gradient = only_where(near, Ihmsen2012Gradient<D, Kernel>{W});
+    backend.sum_pairs(line, f, over(f, gradient), over(w.akinci2012, gradient),
                       over(w.adami2012, gradient), over(w.monaghan2009, gradient),
-                      SurfaceNormal<D>{of.n, V, c.support});
+                      SurfaceNormal<D>{near, of.n, V, c.support});
     backend.share("whitewater", f, of.n);
-    backend.sum_pairs("whitewater: births", f,
-                      over(f, Ihmsen2012Potentials<D>{c.support, f.v, of.n}),
-                      ExpectBirths<D>{c, of, f.v, dt});
+    const MovesOutwards<D> outwards{f.v, of.n};
+    backend.sum_pairs(
+        line, f, over(f, only_where(outwards, Ihmsen2012WaveCrest<D>{c.support, of.n})),
+        AddBirths<D, MovesOutwards<D>>{expect, outwards, c.wave_crest, c.crest_limits});
   }
 
   /// Moves the particles over dt.

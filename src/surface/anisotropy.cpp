@@ -95,20 +95,6 @@ Surroundings surroundings_of(const Moments& m, float full) {
   return out;
 }
 
-/// Calls f(particle, its surroundings' particles) for each particle, bin by bin.
-template <class F> void for_each_particle(const ParticleBins& bins, const Threads& threads, F f) {
-  constexpr int chunk = 64;
-  const int n = int(bins.bins().size());
-  threads.parts((n + chunk - 1) / chunk, [&](int part) {
-    Nearby nearby;
-    for (int b = part * chunk; b < std::min(n, (part + 1) * chunk); ++b) {
-      const ParticleBins::Bin& bin = bins.bins()[std::size_t(b)];
-      bins.collect(place_of(bin.key), 1, nearby);
-      for (int k = bin.first; k < bin.end; ++k) f(k, nearby);
-    }
-  });
-}
-
 /// The mean of what the neighbours in the same layer would move by.
 Vec<3, float> layer_mean(const Nearby& nearby, Vec<3, float> x, const Surroundings& own,
                          const std::vector<Surroundings>& all, float reach, float half) {

@@ -105,23 +105,14 @@ float FilmModel::factor(float sum, float moment) const {
 
 Kernels kernels_of(const ParticleBins& bins, float radius, std::vector<KernelShape> shapes,
                    const FilmModel& films, const Threads& threads) {
-  constexpr int chunk = 64;
   Kernels kernels{radius, std::vector<float>(bins.size()), std::move(shapes)};
   const Spline spline(radius);
-  const int n = int(bins.bins().size());
-  threads.parts((n + chunk - 1) / chunk, [&](int part) {
-    Nearby nearby;
-    for (int b = part * chunk; b < std::min(n, (part + 1) * chunk); ++b) {
-      const ParticleBins::Bin& bin = bins.bins()[std::size_t(b)];
-      bins.collect(place_of(bin.key), 1, nearby);
-      for (int k = bin.first; k < bin.end; ++k) {
-        const Sums sums = sums_at(nearby, bins.offset(k), spline);
-        const float own = kernels.is_round(k) ? sums.splines
-                                              : shaped_sum(nearby, bins.offset(k), spline,
-                                                           kernels.shape[std::size_t(k)].shrink);
-        kernels.volume[std::size_t(k)] = films.factor(sums.splines, sums.moment) / own;
-      }
-    }
+  for_each_particle(bins, threads, [&](int k, const Nearby& nearby) {
+    const Sums sums = sums_at(nearby, bins.offset(k), spline);
+    const float own = kernels.is_round(k) ? sums.splines
+                                          : shaped_sum(nearby, bins.offset(k), spline,
+                                                       kernels.shape[std::size_t(k)].shrink);
+    kernels.volume[std::size_t(k)] = films.factor(sums.splines, sums.moment) / own;
   });
   return kernels;
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
+#include "backend/cpu/threads.h"
 #include "core/vec.h"
 #include "surface/lattice.h"
 
@@ -47,5 +49,19 @@ class ParticleBins {
   std::vector<int> frame_index_;
   std::vector<Vec<3, float>> offset_;
 };
+
+/// Calls f(particle, the particles around its bin) for each particle, bin by bin.
+template <class F> void for_each_particle(const ParticleBins& bins, const Threads& threads, F f) {
+  constexpr int chunk = 64;
+  const int n = int(bins.bins().size());
+  threads.parts((n + chunk - 1) / chunk, [&](int part) {
+    Nearby nearby;
+    for (int b = part * chunk; b < std::min(n, (part + 1) * chunk); ++b) {
+      const ParticleBins::Bin& bin = bins.bins()[std::size_t(b)];
+      bins.collect(place_of(bin.key), 1, nearby);
+      for (int k = bin.first; k < bin.end; ++k) f(k, nearby);
+    }
+  });
+}
 
 }  // namespace freshet

@@ -8,6 +8,8 @@
 
 #include "freshet/simulation.h"
 #include "surface/anisotropy.h"
+#include "surface/fluid_grids.h"
+#include "surface/kernel_rows.h"
 #include "surface/pieces.h"
 #include "surface/point_values.h"
 #include "surface/simplify.h"
@@ -137,6 +139,75 @@ template <class T> void keep(const std::vector<std::uint32_t>& points, std::vect
   values.resize(points.size());
 }
 
+/// A surface and what it was made of.
+struct Surface {
+  Particles particles;
+  DensityField field;
+  GridMesh mesh;
+  Smoothing smoothing;
+  std::vector<SurfaceMesh::Point> velocity;
+};
+
+Surface make(const Frame& frame, const Grid& grid, const SurfaceSettings& s,
+             const Threads& threads) {
+  check_surface_settings(s);
+  if (frame.dimension != 3) fail("this frame is in 2D; a surface needs a run in 3D");
+  Particles particles = particles_of(positions_of(frame, grid), s, threads);
+  const ParticleBins& bins = particles.bins;
+  DensityField field(bins, particles.kernels, threads);
+  const float level = float(s.level);
+  GridMesh mesh = marching_cubes(field, level, threads);
+  const bool fits = s.volume == SurfaceVolume::particles;
+  Pieces pieces = fits ? pieces_of(mesh, field, level, bins, threads) : Pieces{};
+  // the spline's integral over a spacing³, as a sum over particles deep in the liquid
+  const double deep = 3.14159265358979 / 8 * s.radius * s.radius * s.radius;
+  PointValues values =
+      point_values(mesh, field, {bins, particles.kernels, frame.v, level, float(deep)}, threads);
+  for (std::size_t k = 0; k < mesh.points.size(); ++k)
+    mesh.points[k] +=
+        Point{double(values.step[k].x), double(values.step[k].y), double(values.step[k].z)};
+  Smoothing smoothing{std::move(values.fill), std::move(values.normal), s.smooth};
+  smooth(mesh, smoothing, threads);
+  if (fits) fit_volumes(mesh, pieces, 1 / (s.cell * s.cell * s.cell), farthest_fit / s.cell);
+  if (s.simplify > 0) {
+    const std::vector<std::uint32_t> kept = simplify(mesh, s.simplify / s.cell, threads);
+    keep(kept, pieces.of);
+    keep(kept, smoothing.weight);
+    keep(kept, smoothing.normal);
+    keep(kept, values.velocity);
+  }
+  return {std::move(particles), std::move(field), std::move(mesh), std::move(smoothing),
+          std::move(values.velocity)};
+}
+
+/// The velocities of the fluid at the points of the field's blocks.
+std::vector<std::array<FluidGrids::Values, 3>> velocities_of(const Surface& surface,
+                                                             const std::vector<float>& v,
+                                                             const Threads& threads) {
+  const ParticleBins& bins = surface.particles.bins;
+  const Kernels& kernels = surface.particles.kernels;
+  const Spline spline(kernels.radius);
+  std::vector<std::array<FluidGrids::Values, 3>> out(std::size_t(surface.field.blocks()));
+  threads.parts(surface.field.blocks(), [&](int b) {
+    std::array<FluidGrids::Values, 3>& sums = out[std::size_t(b)];
+    for (FluidGrids::Values& values : sums) values.fill(0);
+    Nearby nearby;
+    bins.collect(block_bins * surface.field.place(b), block_bins, nearby);
+    for (std::size_t j = 0; j < nearby.size(); ++j) {
+      const float volume = kernels.volume[std::size_t(nearby.particle[j])];
+      const float* of = &v[3 * std::size_t(bins.frame_index(nearby.particle[j]))];
+      for_each_weight(kernels, spline, nearby, j, [&](std::size_t k, float w) {
+        for (std::size_t a = 0; a < 3; ++a) sums[a][k] += volume * w * of[a];
+      });
+    }
+    const FluidGrids::Values& density = surface.field.values(b);
+    for (FluidGrids::Values& values : sums)
+      for (std::size_t k = 0; k < values.size(); ++k)
+        values[k] = density[k] > 0 ? values[k] / density[k] : 0;
+  });
+  return out;
+}
+
 }  // namespace
 
 void check_surface_settings(const SurfaceSettings& s) {
@@ -157,36 +228,24 @@ void check_surface_settings(const SurfaceSettings& s) {
 
 SurfaceMesh surface_of(const Frame& frame, double spacing, const std::array<double, 3>& origin,
                        const SurfaceSettings& s, int threads) {
-  check_surface_settings(s);
-  if (frame.dimension != 3) fail("this frame is in 2D; a surface needs a run in 3D");
+  const Grid grid{origin, s.cell * spacing};
+  Surface surface = make(frame, grid, s, Threads(thread_count(threads)));
+  SurfaceMesh out = in_meters(std::move(surface.mesh), grid, surface.smoothing);
+  out.velocity = std::move(surface.velocity);
+  return out;
+}
+
+FluidGrids grids_of(const Frame& frame, double spacing, const std::array<double, 3>& origin,
+                    const SurfaceSettings& s, int threads) {
   const Threads team(thread_count(threads));
   const Grid grid{origin, s.cell * spacing};
-  const float level = float(s.level);
-  const Particles particles = particles_of(positions_of(frame, grid), s, team);
-  const ParticleBins& bins = particles.bins;
-  const DensityField field(bins, particles.kernels, team);
-  GridMesh mesh = marching_cubes(field, level, team);
-  const bool fits = s.volume == SurfaceVolume::particles;
-  Pieces pieces = fits ? pieces_of(mesh, field, level, bins, team) : Pieces{};
-  // the spline's integral over a spacing³, as a sum over particles deep in the liquid
-  const double deep = 3.14159265358979 / 8 * s.radius * s.radius * s.radius;
-  PointValues values =
-      point_values(mesh, field, {bins, particles.kernels, frame.v, level, float(deep)}, team);
-  for (std::size_t k = 0; k < mesh.points.size(); ++k)
-    mesh.points[k] +=
-        Point{double(values.step[k].x), double(values.step[k].y), double(values.step[k].z)};
-  Smoothing smoothing{std::move(values.fill), std::move(values.normal), s.smooth};
-  smooth(mesh, smoothing, team);
-  if (fits) fit_volumes(mesh, pieces, 1 / (s.cell * s.cell * s.cell), farthest_fit / s.cell);
-  if (s.simplify > 0) {
-    const std::vector<std::uint32_t> kept = simplify(mesh, s.simplify / s.cell, team);
-    keep(kept, pieces.of);
-    keep(kept, smoothing.weight);
-    keep(kept, smoothing.normal);
-    keep(kept, values.velocity);
+  const Surface surface = make(frame, grid, s, team);
+  FluidGrids out{origin, grid.cell, level_set_of(surface.mesh, team), {}, {}, {}};
+  for (int b = 0; b < surface.field.blocks(); ++b) {
+    out.blocks.push_back(surface.field.place(b));
+    out.density.push_back(surface.field.values(b));
   }
-  SurfaceMesh out = in_meters(std::move(mesh), grid, smoothing);
-  out.velocity = std::move(values.velocity);
+  if (!frame.v.empty()) out.velocity = velocities_of(surface, frame.v, team);
   return out;
 }
 

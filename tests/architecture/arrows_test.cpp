@@ -42,7 +42,7 @@ const std::map<std::string, std::set<std::string>> arrows{
     {"render", {"api", "boundary", "cairo", "core", "fmt", "mesh", "scene", "spng.h", "surface"}},
     {"surface", {"api", "backend/cpu/threads.h", "core", "fmt", "meshoptimizer.h"}},
     {"io",
-     {"api", "core", "render", "formats", "fmt", "nlohmann", "hdf5.h", "commit.h", "gif_lib.h",
+     {"api", "core", "render", "surface", "formats", "fmt", "nlohmann", "hdf5.h", "commit.h", "gif_lib.h",
       "webp"}},
     {"backend", {"api", "core", "boundary"}},
     {"backend/reference", {"api", "core", "backend"}},

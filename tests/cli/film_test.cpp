@@ -102,6 +102,7 @@ TEST_F(FilmCommand, WritesTheSceneThatBlenderReads) {
   EXPECT_EQ(all["width"], 64);
   EXPECT_EQ(all["height"], 36);
   EXPECT_EQ(all["samples"], 3);
+  EXPECT_EQ(all["denoise"], false);
   EXPECT_EQ(all["domain"]["max"], Json({2, 2, 2}));
   EXPECT_EQ(all["walls_of_domain"], Json({false, false, false, false, false, false}));
   EXPECT_EQ(all["format"], 2);

@@ -62,6 +62,8 @@ TEST_F(SurfaceCommand, TakesChosenFramesAndFormats) {
             (std::set<std::string>{"surface_0000.vtp", "surface_0002.vtp", "surfaces.pvd"}));
   EXPECT_TRUE(contains(read_text(folder / "v/surfaces.pvd"),
                        "timestep=\"0.2\" part=\"0\" file=\"surface_0002.vtp\""));
+  ASSERT_EQ(surface({"--to", "0", "--format", "vdb", "--output", (folder / "g").string()}).code, 0);
+  EXPECT_EQ(read_text(folder / "g/surface_0000.vdb").substr(0, 4), " BDV");
   ASSERT_EQ(surface({"--to", "0", "--format", "obj", "--output", (folder / "o").string()}).code, 0);
   EXPECT_TRUE(contains(read_text(folder / "o/surface_0000.obj"), "\nvn "));
   expect_refused(surface({"--from", "7"}),

@@ -5,7 +5,7 @@
 
 #include "freshet/derived.h"
 #include "freshet/simulation.h"
-#include "io/surface_files.h"
+#include "io/surface_vdb.h"
 #include "scene/scene_text.h"
 
 namespace freshet::test {
@@ -22,13 +22,17 @@ TEST(SurfaceBytes, PredictTheSizeOfMeshes) {
     for (const std::string cell : {"0.5", "0.3"}) {
       const Simulation sim(fluid_in_3d(fluid, ""));
       const double spacing = sim.scene().particles.spacing;
-      for (int k = 0; k < 4; ++k) {
+      for (int k = 0; k < 5; ++k) {
         const std::string format = surface_format_names[k];
         const Scene scene =
             fluid_in_3d(fluid, "surface = { format = '" + format + "', cell = " + cell + " }");
-        const SurfaceMesh mesh =
-            surface_of(sim.frame(), spacing, {0, 0, 0}, scene.surface->settings);
-        const double size = double(encode_surface(SurfaceFormat(k), mesh, {}).size());
+        const SurfaceSettings& settings = scene.surface->settings;
+        const std::string bytes =
+            SurfaceFormat(k) == SurfaceFormat::vdb
+                ? encode_fluid_vdb(grids_of(sim.frame(), spacing, {0, 0, 0}, settings), {})
+                : encode_surface(SurfaceFormat(k),
+                                 surface_of(sim.frame(), spacing, {0, 0, 0}, settings), {});
+        const double size = double(bytes.size());
         EXPECT_NEAR(derive(scene).surface_bytes / 3 / size, 1, 0.15)
             << fluid << " " << format << " " << size;
       }

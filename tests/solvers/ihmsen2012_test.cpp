@@ -93,15 +93,27 @@ TEST(Ihmsen2012, PotentialsGrowBetweenTheirLimits) {
 // Two particles that approach each other: |v_ij| (1 - v_ij x_ij/..) is twice the speed; if they
 // part it is 0.
 TEST(Ihmsen2012, ApproachTrapsAir) {
-  Vec<2> v[] = {{1, 0}, {-1, 0}}, n[] = {{}, {}};
-  const Ihmsen2012Potentials<2> term{1, {v}, {n}};
+  Vec<2> v[] = {{1, 0}, {-1, 0}};
+  const Ihmsen2012TrappedAir<2> term{1, {v}};
   const auto sums = [&](Real x) {
     return term(Pair<2, Real>({x, 0}), term.at(0), term.neighbor(1));
   };
-  EXPECT_NEAR(4, double(sums(Real(-0.5f)).trapped_air / sums(Real(-0.5f)).weight), 1e-6);
-  EXPECT_NEAR(0, double(sums(Real(0.5f)).trapped_air), 1e-6);
+  EXPECT_NEAR(4, double(sums(Real(-0.5f)).mean()), 1e-6);
+  EXPECT_NEAR(0, double(sums(Real(0.5f)).mean()), 1e-6);
   EXPECT_EQ(Real(0), sums(2).weight) << "beyond the support";
   EXPECT_EQ(Real(0), sums(0).neighbors) << "the particle itself";
+}
+
+TEST(Ihmsen2012, NormalsThatTurnMakeACrest) {
+  Vec<2> n[] = {{0, 1}, {1, 0}, {0, 0}};
+  const Ihmsen2012WaveCrest<2> term{1, {n}};
+  const auto mean = [&](Real y, int j) {
+    return double(term(Pair<2, Real>({0, y}), term.at(0), term.neighbor(j)).mean());
+  };
+  EXPECT_NEAR(1, mean(Real(0.5f), 1), 1e-6);
+  EXPECT_NEAR(0, mean(Real(0.5f), 0), 1e-6) << "the same normal";
+  EXPECT_NEAR(0, mean(Real(0.5f), 2), 1e-6) << "inside";
+  EXPECT_NEAR(0, mean(Real(-0.5f), 1), 1e-6) << "above the tangent plane";
 }
 
 TEST(Draws, AreUniformAndOfTheirKeysAlone) {

@@ -137,6 +137,8 @@ template <int D> class CpuBackend : public CpuSets<D> {
     const auto slice = (*of(targets).lists[std::size_t(over.set.set)])[s];
     if (slice.length == 0) return;
     const Term term = over.term;
+    if constexpr (requires { term.wants(0); })
+      if (!any_of(base, count, [&](int i) { return term.wants(i); })) return;
     const At at_i = pack_of<At>(base, count, [&](int i) { return term.at(i); });
     Pack j[stride];
     Sum local = sum;
@@ -145,6 +147,12 @@ template <int D> class CpuBackend : public CpuSets<D> {
       local += term(Pair<D, Pack>(x_i - position<D>(j)), at_i, values<D, Neighbor>(j));
     }
     sum = local;
+  }
+
+  template <class F> FRESHET_HD static bool any_of(int base, int count, const F& f) {
+    bool any = false;
+    for (int i = base; i < base + count; ++i) any |= f(i);
+    return any;
   }
 
   /// The values of `count` particles, one per lane; the last particle fills the remaining lanes.

@@ -76,6 +76,8 @@ template <int D> class ReferenceBackend : public ReferenceSets<D> {
     Neighbor* neighbor = scratch<Neighbor>(neighbor_memory_, std::size_t(n));
     for (int j = 0; j < n; ++j) neighbor[j] = sources.term.neighbor(j);
     for (int i = 0; i < targets.n; ++i) {
+      if constexpr (requires { sources.term.wants(0); })
+        if (!sources.term.wants(i)) continue;
       const auto at_i = sources.term.at(i);
       Sum sum = sums[i];
       for (const int j : lists[i]) {

@@ -10,6 +10,7 @@ void check_whitewater(const Scene& s, Findings& out) {
   const std::pair<const char*, const Vector*> ranges[] = {
       {"trapped_air_limits", &w.trapped_air_limits},
       {"wave_crest_limits", &w.wave_crest_limits},
+      {"turbulence_limits", &w.turbulence_limits},
       {"speed_limits", &w.speed_limits}};
   for (const auto& [name, range] : ranges) {
     const std::string key = fmt::format("whitewater.{}", name);

@@ -17,6 +17,12 @@ void birth_keys(KeyVisitor& v, Scene::Whitewater& w) {
                     "its path; 0: none",
             .min = 0,
             .max = 100});
+  v.number("turbulence", w.turbulence,
+           {.unit = "",
+            .text = "births at a fluid particle where the vorticity varies, per "
+                    "`particles.spacing` of its path; 0: none",
+            .min = 0,
+            .max = 100});
   v.numbers(
       "trapped_air_limits", w.trapped_air_limits, 2,
       {.unit = "m/s",
@@ -27,6 +33,11 @@ void birth_keys(KeyVisitor& v, Scene::Whitewater& w) {
              .text = "curvature where a wave crest begins, and where it is full: the mean of 1 − "
                      "cos of the angle between normals",
              .fallback = "0.2 and 0.8"});
+  v.numbers("turbulence_limits", w.turbulence_limits, 2,
+            {.unit = "m/s",
+             .text = "mean difference between the vorticities of neighbours, times the support "
+                     "radius, where turbulence begins, and where it is full",
+             .fallback = "0.1 and 0.4 of the maximum speed that `info` prints"});
   v.numbers("speed_limits", w.speed_limits, 2,
             {.unit = "m/s",
              .text = "speed below which nothing is born, and from which on all is",

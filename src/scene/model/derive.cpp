@@ -239,7 +239,8 @@ Derived derive(const Scene& scene) {
     const double points = points_of_mesh(start.x, s.particles.spacing);
     d.surface_frames = schedule.surface_frames();
     d.surface_bytes = double(d.surface_frames) *
-                      surface_bytes(*s.surface, s.inlet.empty() ? points : std::max(points, cube));
+                      surface_bytes(*s.surface, s.inlet.empty() ? points : std::max(points, cube),
+                                    d.most_particles);
   }
   d.spacing = s.particles.spacing;
   d.support_radius = support_radius(s);

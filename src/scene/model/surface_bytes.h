@@ -12,7 +12,8 @@ namespace freshet {
 /// two for each line that meets a particle. Hidden cavities are not counted.
 double points_of_mesh(const std::vector<Real>& x, double spacing);
 
-/// The size of the meshes of one time [bytes], of that many points at cells of one spacing.
-double surface_bytes(const SurfaceMeshFiles& files, double points);
+/// The size of the meshes of one time [bytes], of that many points at cells of one spacing, around
+/// that many particles.
+double surface_bytes(const SurfaceMeshFiles& files, double points, double particles);
 
 }  // namespace freshet
