@@ -19,9 +19,9 @@ struct Makers {
   MakeEngine *flat, *deep;
 };
 
-// src/CMakeLists.txt defines both lists: FRESHET_CPU_ENGINES calls FRESHET_CPU_ENGINE(isa)
-// for each instruction set, the best first, and FRESHET_SOLVERS calls FRESHET_SOLVER(name) for each
-// solver.
+// src/CMakeLists.txt defines the lists: FRESHET_CPU_ENGINES calls FRESHET_CPU_ENGINE(isa)
+// for each instruction set, the best first. FRESHET_SOLVERS and FRESHET_REFERENCE_SOLVERS call
+// FRESHET_SOLVER(name) for each solver of the cpu and of the reference backend.
 #define FRESHET_CPU_ENGINE(isa)                                                     \
   namespace isa {                                                                   \
   template <int D> std::unique_ptr<Engine> make_cpu_engine(const EnginePlan& plan); \
@@ -46,6 +46,8 @@ bool supported(const std::string& name) {
   return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
          __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
          __builtin_cpu_supports("avx512vl");
+#elif defined(__EMSCRIPTEN__)
+  return name == "sse42";  // by the SIMD instructions of WebAssembly
 #else
   return false;
 #endif
@@ -80,11 +82,10 @@ InstructionSet choose(const std::string& isa) {
 
 int hardware_threads() { return std::max(1, int(std::thread::hardware_concurrency())); }
 
-constexpr SolverName compiled[] = {
 #define FRESHET_SOLVER(name) SolverName::name,
-    FRESHET_SOLVERS
+constexpr SolverName compiled[] = {FRESHET_SOLVERS};
+constexpr SolverName compiled_for_reference[] = {FRESHET_REFERENCE_SOLVERS};
 #undef FRESHET_SOLVER
-};
 
 }  // namespace
 
@@ -108,8 +109,11 @@ int thread_count(int threads, double particles) {
   return std::max(1, int(std::min(double(hardware_threads()), particles / least)));
 }
 
-bool has_solver(SolverName name) {
-  return std::find(std::begin(compiled), std::end(compiled), name) != std::end(compiled);
+bool has_solver(SolverName name, BackendName backend) {
+  const auto is_in = [name](const auto& list) {
+    return std::find(std::begin(list), std::end(list), name) != std::end(list);
+  };
+  return backend == BackendName::reference ? is_in(compiled_for_reference) : is_in(compiled);
 }
 
 std::unique_ptr<Engine> make_engine(const EnginePlan& plan, const BackendChoice& choice) {

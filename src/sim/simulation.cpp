@@ -20,10 +20,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
 std::unique_ptr<Engine> Simulation::Impl::make_engine_of(const Execution& execution) const {
-  if (!has_solver(scene.solver.name))
+  const bool reference = scene.solver.backend == BackendName::reference;
+  if (!has_solver(scene.solver.name, scene.solver.backend))
     throw Error(Error::Kind::scene, "solver.name",
-                fmt::format("this build has no {}; compile with it in FRESHET_SOLVERS",
-                            scene.method().name));
+                fmt::format("this build has no {}{}; compile with it in FRESHET_{}SOLVERS",
+                            scene.method().name, reference ? " on the reference backend" : "",
+                            reference ? "REFERENCE_" : ""));
   return make_engine(plan_of(scene, derived, bodies.get(), threads),
                      {scene.solver.backend, execution.isa});
 }
