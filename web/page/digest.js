@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The card that compares this browser's bits with the native program's.
+import { native } from './native.js';
 import { Runner } from './runner.js';
 import { word } from './words.js';
-
-/** After 2000 steps of the scene `article`: tests/sim/article_golden_test.cpp has the same. */
-export const native = {
-  state: '209739a4641c59b9a1dc195b15a58aee12ca9bf8bd28091793e8a501958e80de',
-  picture: '3758a24fbff9fbc8eeafc4ffa23dbb22f8c656d39b549e945d690c54cfdf23b5',
-};
 
 /** Runs the scene in a worker of its own. */
 export async function compare() {

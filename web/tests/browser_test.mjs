@@ -7,7 +7,7 @@ import http from 'node:http';
 import path from 'node:path';
 import test, { after, before } from 'node:test';
 import { gzipSync } from 'node:zlib';
-import { native } from '../page/digest.js';
+import { native } from '../page/native.js';
 import { Chromium, pause } from './chromium.mjs';
 import { root } from './module.mjs';
 
