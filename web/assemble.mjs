@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// web/assemble.mjs MODULE FOLDER: puts the page together: its own files, the WebAssembly module, the
+// web/assemble.mjs MODULE FOLDER: puts the page together: its own files, the WebAssembly modules, the
 // article's text and pictures, and the bundled scenes.
 import fs from 'node:fs';
 import path from 'node:path';
@@ -10,10 +10,12 @@ const from = (...parts) => path.join(root, ...parts);
 
 fs.rmSync(page, { recursive: true, force: true });
 fs.cpSync(from('web/page'), page, { recursive: true });
-// The module is a script; the worker imports it.
-const script = fs.readFileSync(path.join(module, 'freshet.js'), 'utf8');
-fs.writeFileSync(path.join(page, 'freshet.js'), script + '\nexport default createFreshet;\n');
-fs.copyFileSync(path.join(module, 'freshet.wasm'), path.join(page, 'freshet.wasm'));
+// A module is a script; the worker imports it.
+for (const name of ['freshet', 'freshet_2d']) {
+  const script = fs.readFileSync(path.join(module, `${name}.js`), 'utf8');
+  fs.writeFileSync(path.join(page, `${name}.js`), script + '\nexport default createFreshet;\n');
+  fs.copyFileSync(path.join(module, `${name}.wasm`), path.join(page, `${name}.wasm`));
+}
 
 fs.mkdirSync(path.join(page, 'docs/images'), { recursive: true });
 for (const name of ['article.md', 'article.zh-CN.md']) {

@@ -21,11 +21,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::unique_ptr<Engine> Simulation::Impl::make_engine_of(const Execution& execution) const {
   const bool reference = scene.solver.backend == BackendName::reference;
-  if (!has_solver(scene.solver.name, scene.solver.backend))
-    throw Error(Error::Kind::scene, "solver.name",
-                fmt::format("this build has no {}{}; compile with it in FRESHET_{}SOLVERS",
-                            scene.method().name, reference ? " on the reference backend" : "",
-                            reference ? "REFERENCE_" : ""));
+  if (!has_solver(scene.solver.name, scene.solver.backend, scene.dimension()))
+    throw Error(
+        Error::Kind::scene, "solver.name",
+        fmt::format("this build has no {} in {}D{}; compile with it in FRESHET_{}SOLVERS",
+                    scene.method().name, scene.dimension(),
+                    reference ? " on the reference backend" : "", reference ? "REFERENCE_" : ""));
   return make_engine(plan_of(scene, derived, bodies.get(), threads),
                      {scene.solver.backend, execution.isa});
 }

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The table of arrows: what each folder of src/, and apps/validate, may include besides itself and
+/// The table of arrows: what each folder of src/, apps/validate and web may include besides itself and
 /// the standard library, folders or single headers. "api" stands for include/freshet.
 /// docs/architecture.md draws the arrows between folders.
 const std::map<std::string, std::set<std::string>> arrows{
@@ -55,6 +55,7 @@ const std::map<std::string, std::set<std::string>> arrows{
     {"validate",
      {"api", "core", "scene", "render", "run", "fmt", "toml++", "nlohmann", "openssl",
       "muParser.h"}},
+    {"web", {"api", "core", "render", "fmt", "emscripten"}},
 };
 
 bool is_system(const std::string& include) {
@@ -71,11 +72,11 @@ std::string folder_of(const std::string& path) {
   return folder == "backend" && second != std::string::npos ? path.substr(0, second) : folder;
 }
 
-/// The sources below src/, and the one application that includes internal headers: by path relative
-/// to src/ or apps/.
+/// The sources below src/, and the two programs that include internal headers: by path relative
+/// to src/, apps/ or the root.
 std::map<fs::path, fs::path> sources() {
   std::map<fs::path, fs::path> files;
-  for (const fs::path below : {"src", "apps/validate"})
+  for (const fs::path below : {"src", "apps/validate", "./web"})
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(SOURCE_DIR) / below)) {
       const std::string extension = entry.path().extension();
       if (extension == ".h" || extension == ".cpp" || extension == ".cu")

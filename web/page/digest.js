@@ -6,7 +6,7 @@ import { word } from './words.js';
 
 /** Runs the scene in a worker of its own. */
 export async function compare() {
-  const runner = new Runner();
+  const runner = new Runner({ flat: true });
   try {
     const answer = await fetch('scenes/article.toml');
     await runner.call('open', { text: await answer.text(), name: 'article.toml', quantity: 'speed' });

@@ -186,7 +186,7 @@ async function start() {
   translate();
   if (matchMedia('(max-width: 900px)').matches)
     document.querySelectorAll('#stage details').forEach((e) => { e.open = false; });
-  const stage = new Stage();
+  const stage = new Stage({ flat: true });
   const playground = new Playground(stage);
   window.freshet = { stage, playground };
   element('title').textContent = word('starting');

@@ -62,14 +62,14 @@ export const runs = {
     en: 'k = 5880: compressed by about 1 %', zh: 'k = 5880：压缩约 1 %',
   },
   pairs: {
-    scene: 'article', changes: { 'solver.search': '"all_pairs"' }, mark: 'wrong', en: 'All pairs', zh: '比较所有的粒子对',
+    scene: 'article', changes: { 'solver.search': '"all_pairs"' }, mark: 'limit', en: 'All pairs', zh: '比较所有的粒子对',
   },
-  grid: { scene: 'article', changes: { 'solver.search': '"grid"' }, mark: 'right', en: 'Grid search', zh: '网格搜索' },
+  grid: { scene: 'article', changes: { 'solver.search': '"grid"' }, mark: 'remedy', en: 'Grid search', zh: '网格搜索' },
   collide: {
-    scene: 'article_corrected', changes: quiet, mark: 'wrong', en: 'Walls that only collide', zh: '只会碰撞的壁面',
+    scene: 'article_corrected', changes: quiet, mark: 'limit', en: 'Walls that only collide', zh: '只会碰撞的壁面',
   },
   walls: {
-    scene: 'article_corrected', solver: 'wcsph', changes: quiet, mark: 'right', en: 'Real walls: wcsph',
+    scene: 'article_corrected', solver: 'wcsph', changes: quiet, mark: 'remedy', en: 'Real walls: wcsph',
     zh: '真正的壁面：wcsph',
   },
   pcisph: { scene: 'article_corrected', solver: 'pcisph', changes: water, en: 'pcisph', zh: 'pcisph' },

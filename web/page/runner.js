@@ -2,8 +2,10 @@
 // The page's side of a worker: calls as promises, and a run that keeps pace with the clock.
 
 export class Runner {
-  constructor() {
-    this.worker = new Worker(new URL('worker.js', import.meta.url), { type: 'module' });
+  /** With `flat` the simulation has 2D only, and is smaller to load. */
+  constructor({ flat = false } = {}) {
+    this.flat = flat;
+    this.worker = new Worker(new URL(`worker.js${flat ? '?2d' : ''}`, import.meta.url), { type: 'module' });
     this.waiting = new Map();
     this.count = 0;
     this.worker.onmessage = ({ data }) => {

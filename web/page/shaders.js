@@ -8,12 +8,13 @@ uniform float scale;     // pixels per unit at w = 1
 uniform vec2 depths;     // of clip space per unit: d(z)/d(distance), d(w)/d(distance)
 layout(location = 0) in vec3 x;
 layout(location = 1) in float value;
-out float shade;
+out float shade, pixels;
 out vec4 center;
 void main() {
   center = camera * vec4(x, 1);
   gl_Position = center;
-  gl_PointSize = clamp(2. * radius * scale / center.w, 1.5, 512.);
+  pixels = clamp(radius * scale / center.w, .75, 256.);
+  gl_PointSize = 2. * pixels + 2.;  // room for smooth edges
   shade = value;
 }`;
 
@@ -28,22 +29,22 @@ uniform float radius;
 uniform vec2 depths;
 uniform vec3 ground;
 uniform vec2 haze;       // w where it begins, and its length
-in float shade;
+in float shade, pixels;
 in vec4 center;
 out vec4 color;
 void main() {
-  vec2 p = 2. * gl_PointCoord - 1.;
-  float r2 = dot(p, p);
-  if (r2 > 1.) discard;
+  vec2 p = (2. * gl_PointCoord - 1.) * (1. + 1. / pixels);  // 1 at the edge
+  float r2 = dot(p, p), inside = (1. - sqrt(r2)) * pixels + .5;
+  if (inside <= 0.) discard;
   float t = clamp((shade - range.x) / (range.y - range.x), 0., 1.);
   vec3 base = fixedColor.a > 0. ? fixedColor.rgb
                                 : texture(colors, vec2((t * 255. + .5) / 256., row)).rgb;
   if (mode == 0) { color = vec4(base * exp(-r2 / .49), 1); return; }
   if (mode == 1) {
-    float edge = fwidth(r2);
-    color = vec4(base, 1. - smoothstep(1. - 2. * edge, 1., r2));
+    color = vec4(base, min(inside, 1.));
     return;
   }
+  if (r2 > 1.) discard;
   vec3 n = vec3(p.x, -p.y, sqrt(1. - r2));
   vec4 front = center + vec4(0, 0, depths * (n.z * radius));
   gl_FragDepth = .5 + .5 * front.z / front.w;

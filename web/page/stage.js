@@ -42,9 +42,9 @@ const always = ['time', 'steps', 'rate', 'particles', 'density_mean', 'density_r
 const solving = ['density_error', 'iterations'];
 
 export class Stage {
-  constructor() {
+  constructor({ flat = false } = {}) {
     this.canvas = element('view');
-    this.runner = new Runner();
+    this.runner = new Runner({ flat });
     this.player = new Player(this.runner, (answer, done) => this.onFrame(answer, done),
       (error) => this.fail(error));
     this.history = [];
@@ -59,8 +59,13 @@ export class Stage {
     this.view = new View(this.canvas, colors);
   }
 
-  /** Opens a request for the module; onOpen(about) is called for each. */
+  /** Opens a request; a scene in 3D loads the larger module first. */
   async open(request, { play = true } = {}) {
+    if (this.runner.flat && /^\s*max\s*=\s*\[[^\],]+,[^\],]+,[^\]]+\]/m.test(request.text)) {
+      await this.player.idle();
+      this.runner.close();
+      this.runner = this.player.runner = new Runner();
+    }
     const answer = await this.player.open(request);
     this.pixels = null;
     this.fail(null);
@@ -204,6 +209,7 @@ export class Stage {
   bindButtons() {
     element('play').onclick = () => (this.player.playing ? this.pause() : this.play());
     element('step').onclick = () => this.step();
+    element('show_panels').onclick = () => element('panels').classList.toggle('shown');
     element('pace').onchange = (e) => {
       this.player.pace = e.target.value === 'fastest' ? Infinity : Number(e.target.value);
     };

@@ -21,6 +21,7 @@ export const stageHtml = (extra = '') => `
   </button>
   ${button('step', 'step', 'M4 3.5v13l8-6.5zM13.5 3.5H16v13h-2.5z')}
   ${button('restart', 'restart', 'M10 3.2V.8L5.6 4.4 10 8V5.4a4.9 4.9 0 1 1-4.9 4.9H2.9A7.1 7.1 0 1 0 10 3.2z')}
+  ${button('show_panels', 'panels', 'M3 5h14v2H3zM3 9.5h14v2H3zM3 14h14v2H3z')}
   <label class="choice"><span>${word('color')}</span><select id="color">
     ${colors.map((c) => `<option value="${c}">${word(c === 'density_error' ? 'density_error_color' : c)}</option>`).join('')}
   </select></label>
@@ -30,7 +31,7 @@ export const stageHtml = (extra = '') => `
     <option value="fastest">${word('fastest')}</option>
   </select></label>
 </div>
-<div class="panels">
+<div class="panels" id="panels">
   ${extra}
   <details id="number_panel" open>
     <summary>${word('numbers')}</summary>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Runs simulations beside the page. A message is {id, call, ...}; the answer has the same id.
-import createFreshet from './freshet.js';
 import { Simulation, SceneError } from './simulation.js';
 
-const ready = createFreshet({ locateFile: (file) => new URL(file, import.meta.url).href })
+/** The module for 2D is smaller: worker.js?2d. */
+const file = self.location.search === '?2d' ? './freshet_2d.js' : './freshet.js';
+const ready = import(file)
+  .then(({ default: create }) => create({ locateFile: (name) => new URL(name, import.meta.url).href }))
   .then((module) => new Simulation(module));
 
 /** What the page draws and shows now. */
