@@ -22,7 +22,6 @@ struct Makers {
 // FRESHET_FLAT: no engine in 3D is linked (web/CMakeLists.txt). FRESHET_REFERENCE_FLAT: none of the
 // reference backend.
 #ifdef FRESHET_FLAT
-#define FRESHET_REFERENCE_FLAT
 #define FRESHET_DEEP(make) nullptr
 #else
 #define FRESHET_DEEP(make) make<3>
@@ -93,7 +92,7 @@ int hardware_threads() { return std::max(1, int(std::thread::hardware_concurrenc
 
 Makers makers_of(const BackendChoice& choice) {
   if (choice.backend != BackendName::reference) return choose(choice.isa).makers;
-#ifdef FRESHET_REFERENCE_FLAT
+#if defined(FRESHET_FLAT) || defined(FRESHET_REFERENCE_FLAT)
   return {make_reference_engine<2>, nullptr};
 #else
   return {make_reference_engine<2>, make_reference_engine<3>};

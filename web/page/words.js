@@ -20,7 +20,7 @@ const words = {
   warnings: ['Warnings', '警告'],
   command: ['The same run on the command line', '同样的命令行运行'],
   color: ['Colour', '颜色'],
-  pace: ['Speed', '速度'],
+  pace: ['Pace', '快慢'],
   real_time: ['real time', '实时'],
   fastest: ['as fast as it goes', '尽快'],
   time: ['time', '时间'],

@@ -130,13 +130,13 @@ test('buttons, keys and the pointer', async () => {
   await page.until(`${state}.steps === ${stopped + 1}`);
   await page.key(' ', 'Space');
   await page.until(`${state}.steps > ${stopped + 10}`);
+  await page.value(`(() => { window.pushes = []; window.opened = 0; const { runner } = freshet.stage, old = runner.call;
+    runner.call = function (name, m) { opened += name === 'open'; if (m?.push) pushes.push(m.push); return old.call(this, name, m); }; })()`);
   await page.key('r', 'KeyR');
-  await page.until(`${state}.steps < ${stopped}`);
+  await page.until('opened === 1');
   const box = await page.value('(({ left, top, width, height }) => [left, top, width, height])(document.getElementById("view").getBoundingClientRect())');
   await page.until(`${state}.steps > 300`);
   const at = (x, y) => [box[0] + x * box[2], box[1] + y * box[3]];
-  await page.value(`(() => { window.pushes = []; const { runner } = freshet.stage, old = runner.call;
-    runner.call = function (name, m) { if (m?.push) pushes.push(m.push); return old.call(this, name, m); }; })()`);
   await page.drag(at(0.3, 0.9), at(0.6, 0.6));
   const push = await page.value('pushes');
   assert.ok(push.some((p) => p.acceleration[0] > 10 && p.acceleration[1] > 10), JSON.stringify(push));
