@@ -7,8 +7,8 @@
 #include <string>
 
 #include "core/sha256.h"
-#include "module/session.h"
 #include "render/color.h"
+#include "web/module/session.h"
 
 #define FRESHET_EXPORT extern "C"
 

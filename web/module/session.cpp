@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "module/session.h"
+#include "web/module/session.h"
 
 #include <emscripten/emscripten.h>
 
@@ -10,8 +10,8 @@
 #include <sstream>
 #include <utility>
 
-#include "module/json.h"
 #include "render/dots.h"
+#include "web/module/json.h"
 
 namespace freshet::web {
 namespace {
@@ -177,7 +177,7 @@ std::string Session::about() const {
   Json json;
   json.add("title", s.title).add("dimension", s.dimension()).add("solver", s.method().name);
   json.add("reference", s.solver.backend == BackendName::reference).add("article", s.is_article());
-  json.add("glow", s.picture.dots == Dots::glow);
+  json.add("glow", s.picture.dots == Dots::glow).add("color_by", int(s.picture.color_by));
   json.add("min", s.domain.min).add("max", s.domain.max).add("window", s.picture.window);
   json.add("end", s.time.end).add("step", s.time.adaptive ? 0 : s.time.step);
   json.add("spacing", derived_.spacing).add("support", derived_.support_radius);

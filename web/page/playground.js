@@ -149,7 +149,7 @@ class Playground {
       input.oninput = () => this.change(e.dataset.slider, Number(input.value));
     });
     document.querySelectorAll('[data-color]').forEach((e) => {
-      e.onclick = () => { element('color').value = e.dataset.color; this.stage.color(e.dataset.color); };
+      e.onclick = () => { this.stage.chosenColor = true; this.stage.color(e.dataset.color); };
     });
     element('restart').onclick = () => this.open();
     element('save_picture').onclick = () => this.stage.savePicture(this.run.scene);

@@ -3,6 +3,7 @@
 import { Player, Runner } from './runner.js';
 import { View } from './view.js';
 import { pngOf, save } from './link.js';
+import { quantities } from './simulation.js';
 import { word } from './words.js';
 
 const element = (id) => document.getElementById(id);
@@ -83,6 +84,8 @@ export class Stage {
     this.view.walls = answer.drawn.walls;
     this.onFrame(answer, 0);
     this.warn();
+    const own = quantities[answer.about.color_by];
+    if (!this.chosenColor && own !== this.player.quantity) await this.color(own);
     if (play) this.play();
     return answer.about;
   }
@@ -180,6 +183,7 @@ export class Stage {
   }
 
   async color(quantity) {
+    element('color').value = quantity;
     this.player.quantity = quantity;
     if (!this.about) return;
     await this.player.idle();
@@ -213,7 +217,7 @@ export class Stage {
     element('pace').onchange = (e) => {
       this.player.pace = e.target.value === 'fastest' ? Infinity : Number(e.target.value);
     };
-    element('color').onchange = (e) => this.color(e.target.value);
+    element('color').onchange = (e) => { this.chosenColor = true; this.color(e.target.value); };
   }
 
   bindPointer() {
