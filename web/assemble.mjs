@@ -2,7 +2,9 @@
 // web/assemble.mjs MODULE FOLDER: puts the page together: its own files, the WebAssembly modules, the
 // article's text and pictures, and the bundled scenes.
 import fs from 'node:fs';
+import { createRequire } from 'node:module';
 import path from 'node:path';
+import { Simulation } from './page/simulation.js';
 
 const [module, page] = process.argv.slice(2);
 const root = path.resolve(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), '..');
@@ -26,15 +28,28 @@ for (const name of ['article.md', 'article.zh-CN.md']) {
     fs.copyFileSync(from('docs/images', image), path.join(page, 'docs/images', image));
 }
 
+const createFreshet = createRequire(import.meta.url)(path.resolve(module, 'freshet.js'));
+const simulation = new Simulation(await createFreshet({ wasmBinary: fs.readFileSync(path.join(module, 'freshet.wasm')) }));
+/** The library that a scene needs and the page lacks. */
+function missing(name, text, files) {
+  files.forEach((f) => simulation.write(f, fs.readFileSync(from('scenes', f))));
+  try {
+    simulation.check({ text, name });
+    return '';
+  } catch (error) {
+    const library = /Bullet|Assimp|muParser|zlib/.exec(error.message)?.[0];
+    if (!library) throw new Error(`${name} is invalid in the page: ${error.message}`);
+    return library;
+  }
+}
+
 fs.mkdirSync(path.join(page, 'scenes/meshes'), { recursive: true });
 const scenes = [];
 for (const file of fs.readdirSync(from('scenes')).filter((f) => f.endsWith('.toml')).sort()) {
   const text = fs.readFileSync(from('scenes', file), 'utf8');
   const files = [...text.matchAll(/^file = "([^"]+)"/gm)].map((m) => m[1]);
-  // The page has neither Bullet nor Assimp.
-  const missing = [/motion = "free"/.test(text) ? 'Bullet' : '',
-    files.some((f) => /\.(obj|stl)$/.test(f)) ? 'Assimp' : ''].filter(Boolean).join(', ');
-  scenes.push({ name: file.slice(0, -5), title: /^title = "(.*)"$/m.exec(text)?.[1] ?? '', files, missing });
+  scenes.push({ name: file.slice(0, -5), title: /^title = "(.*)"$/m.exec(text)?.[1] ?? '', files,
+    missing: missing(file, text, files) });
   fs.copyFileSync(from('scenes', file), path.join(page, 'scenes', file));
   for (const f of files) fs.copyFileSync(from('scenes', f), path.join(page, 'scenes', f));
 }
