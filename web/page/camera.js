@@ -47,7 +47,7 @@ export class Orbit {
   view(width, height) {
     const field = 0.62;  // vertical [rad]
     const wide = Math.min(1, width / height / 1.3);
-    const distance = 0.42 * this.size / Math.tan(field / 2) / this.zoom / wide;
+    const distance = 0.46 * this.size / Math.tan(field / 2) / this.zoom / wide;
     const { azimuth: a, elevation: e } = this;
     const back = [Math.cos(e) * Math.sin(a), Math.sin(e), Math.cos(e) * Math.cos(a)];
     const eye = this.target.map((v, k) => v + distance * back[k]);

@@ -76,8 +76,7 @@ export class Stage {
     if (!request.keep) this.history = [];
     this.player.steps = answer.state.steps;
     this.player.dt = answer.about.step || answer.about.step_bound || 0.001;
-    this.view.map = answer.about.article ? 'article' : 'water';
-    if (this.player.quantity !== 'speed') this.view.map = 'viridis';
+    this.view.map = this.mapOf(this.player.quantity);
     this.view.open(answer.about, answer.drawn);
     this.canvas.dataset.dimension = answer.about.dimension;
     element('hint').textContent = word(answer.about.dimension === 3 ? 'orbit' : 'push');
@@ -182,14 +181,18 @@ export class Stage {
     await this.player.advance(count);
   }
 
+  mapOf(quantity) {
+    if (quantity === 'speed') return this.about.article ? 'article' : 'water';
+    return ['liquid', 'density_error'].includes(quantity) ? 'coolwarm' : 'viridis';
+  }
+
   async color(quantity) {
     element('color').value = quantity;
     this.player.quantity = quantity;
     if (!this.about) return;
     await this.player.idle();
     const answer = await this.runner.call('look', { quantity });
-    this.view.map = quantity === 'speed' ? (this.about.article ? 'article' : 'water')
-      : quantity === 'density_error' ? 'coolwarm' : 'viridis';
+    this.view.map = this.mapOf(quantity);
     this.view.show(answer.drawn);
   }
 
