@@ -94,7 +94,7 @@ export const runs = {
 /** Cards by section: sliders, runs and what to look at. `after` is the number of the block that the
     card follows; without it the card ends the section. */
 export const cards = {
-  0: { runs: ['article'], sliders: [], digest: true, after: 2,
+  0: { runs: ['article'], sliders: ['k', 'mu', 'h', 'dt', 'gravity', 'count'], digest: true, after: 2,
     en: 'The article\'s 600 particles run on this page. Move a number and watch what changes. Push the water with the pointer.',
     zh: '文章的 600 个粒子就在本页运行。改一个数，看看有什么变化。可以用指针推动水。' },
   2: { runs: ['article'], sliders: ['gravity', 'count'],
