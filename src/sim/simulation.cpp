@@ -20,10 +20,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
 std::unique_ptr<Engine> Simulation::Impl::make_engine_of(const Execution& execution) const {
-  if (!has_solver(scene.solver.name))
-    throw Error(Error::Kind::scene, "solver.name",
-                fmt::format("this build has no {}; compile with it in FRESHET_SOLVERS",
-                            scene.method().name));
+  const bool reference = scene.solver.backend == BackendName::reference;
+  if (!has_solver(scene.solver.name, scene.solver.backend, scene.dimension()))
+    throw Error(
+        Error::Kind::scene, "solver.name",
+        fmt::format("this build has no {} in {}D{}; compile with it in FRESHET_{}SOLVERS",
+                    scene.method().name, scene.dimension(),
+                    reference ? " on the reference backend" : "", reference ? "REFERENCE_" : ""));
   return make_engine(plan_of(scene, derived, bodies.get(), threads),
                      {scene.solver.backend, execution.isa});
 }

@@ -13,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The table of arrows: what each folder of src/, and apps/validate, may include besides itself and
-/// the standard library, folders or single headers. "api" stands for include/freshet.
+/// The table of arrows: what each folder of src/, apps/validate and web may include besides itself
+/// and the standard library, folders or single headers. "api" stands for include/freshet.
 /// docs/architecture.md draws the arrows between folders.
 const std::map<std::string, std::set<std::string>> arrows{
     {"core", {"api"}},
@@ -35,7 +35,8 @@ const std::map<std::string, std::set<std::string>> arrows{
     {"formats", {"api", "core", "fmt", "pugixml.hpp", "zlib.h"}},
     {"mesh", {"api", "core", "formats", "assimp", "fmt"}},
     {"scene",
-     {"api", "core", "kernels", "boundary", "formats", "mesh", "toml++", "fmt", "muParser.h"}},
+     {"api", "core", "kernels", "boundary", "formats", "mesh", "toml++", "fmt", "muParser.h",
+      "emscripten"}},
     {"bodies",
      {"api", "boundary", "core", "mesh", "scene", "btBulletDynamicsCommon.h", "BulletCollision",
       "BulletDynamics"}},
@@ -55,6 +56,7 @@ const std::map<std::string, std::set<std::string>> arrows{
     {"validate",
      {"api", "core", "scene", "render", "run", "fmt", "toml++", "nlohmann", "openssl",
       "muParser.h"}},
+    {"web", {"api", "core", "render", "fmt", "emscripten"}},
 };
 
 bool is_system(const std::string& include) {
@@ -71,11 +73,11 @@ std::string folder_of(const std::string& path) {
   return folder == "backend" && second != std::string::npos ? path.substr(0, second) : folder;
 }
 
-/// The sources below src/, and the one application that includes internal headers: by path relative
-/// to src/ or apps/.
+/// The sources below src/, and the two programs that include internal headers: by path relative
+/// to src/, apps/ or the root.
 std::map<fs::path, fs::path> sources() {
   std::map<fs::path, fs::path> files;
-  for (const fs::path below : {"src", "apps/validate"})
+  for (const fs::path below : {"src", "apps/validate", "./web"})
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(SOURCE_DIR) / below)) {
       const std::string extension = entry.path().extension();
       if (extension == ".h" || extension == ".cpp" || extension == ".cu")
