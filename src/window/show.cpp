@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "io/files.h"
+#include "render/png.h"
+#include "scene/keys/keys.h"
+#include "window/context.h"
+#include "window/viewer.h"
+#include "window/window.h"
+
+namespace freshet::window {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void open(view::Session& session, const Options& o) {
+  session.set_pace(o.pace);
+  if (!o.log.empty()) session.replay(view::read_log(o.log));
+  else if (!o.path.empty()) session.open(o.path, o.overrides);
+  if (o.steps > 0) session.step(o.steps);
+  if (o.play) session.play(true);
+}
+
+void set_look(Viewer& viewer, const Options& o) {
+  if (o.water) viewer.look.style = draw::Style::water;
+  for (std::size_t k = 0; k < std::size(color_by_words); ++k)
+    if (o.color_by == color_by_words[k]) viewer.color_by = ColorBy(k);
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// A window, what it shows, and the time that its pictures take.
+class Loop {
+ public:
+  Loop(view::Session& session, const Options& options)
+      : options_(options),
+        context_(options.width, options.height, options.screenshot.empty()),
+        viewer_(session, context_.is_software()) {}
+
+  Context& context() { return context_; }
+  Viewer& viewer() { return viewer_; }
+  const std::vector<double>& seconds() const { return seconds_; }
+
+  /// One picture. `panels`: with what lies over it.
+  void draw_picture(bool panels) {
+    const auto start = Clock::now();
+    context_.begin_picture();
+    const int width = context_.width(), height = context_.height();
+    viewer_.update(double(width) / height);
+    if (!look_set_) set_look(viewer_, options_);
+    look_set_ = true;
+    viewer_.handle_input(width, height);
+    viewer_.update(double(width) / height);
+    viewer_.draw(width, height);
+    save_picture();
+    if (panels) {
+      viewer_.draw_color_bar();
+      viewer_.draw_panels();
+    }
+    context_.draw_panels();
+    seconds_.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+  }
+
+ private:
+  /// Pictures and films are without panels.
+  void save_picture() {
+    const std::string name = viewer_.take_picture_name();
+    if (name.empty() && !viewer_.wants_record()) return;
+    const Image image = context_.read();
+    viewer_.record(image);
+    if (name.empty()) return;
+    try {
+      write_file(name, encode_png(image));
+      viewer_.note("wrote " + name);
+    } catch (const Error& e) {
+      viewer_.complain(e);
+    }
+  }
+
+  const Options& options_;
+  Context context_;
+  Viewer viewer_;
+  std::vector<double> seconds_;
+  bool look_set_ = false;
+};
+
+Result result_of(view::Session& session, Loop& loop) {
+  Result r;
+  r.renderer = loop.context().renderer();
+  r.state_sha256 = session.state_sha256();
+  const auto last = session.wait();
+  r.steps = last->frame.step;
+  r.time = last->frame.time;
+  r.particles = last->frame.size();
+  r.pictures = std::int64_t(loop.seconds().size());
+  r.picture_seconds = median(loop.seconds());
+  r.step_seconds = last->step_seconds;
+  return r;
+}
+
+void take_screenshot(view::Session& session, Loop& loop, const Options& o) {
+  const auto ready = session.wait();
+  if (!ready->problems.empty()) throw Error(Error::Kind::scene, ready->problems);
+  // panels have their size from the second picture on
+  for (int k = 0; k < (o.panels ? 3 : 1); ++k) loop.draw_picture(o.panels);
+  const Image image = loop.context().read();
+  write_file(o.screenshot, encode_png(image));
+}
+
+}  // namespace
+
+Result show(const Options& o) {
+  view::Session session(o.execution);
+  Loop loop(session, o);
+  open(session, o);
+  if (!o.screenshot.empty()) {
+    take_screenshot(session, loop, o);
+    return result_of(session, loop);
+  }
+  std::int64_t drawn = 0;
+  std::string title;
+  while (!loop.context().closed() && !loop.viewer().closing) {
+    if (loop.context().minimized()) {
+      loop.context().poll(0.2);
+      continue;
+    }
+    loop.context().poll(0);
+    for (const auto& path : loop.context().take_dropped()) session.open(path);
+    loop.draw_picture(true);
+    loop.context().swap();
+    if (const std::string now = loop.viewer().title(); now != title)
+      loop.context().set_title(title = now);
+    if (o.pictures > 0 && ++drawn >= o.pictures) loop.context().close();
+  }
+  session.play(false);
+  return result_of(session, loop);
+}
+
+}  // namespace freshet::window
