@@ -168,6 +168,7 @@ void Painter::draw_balls(const Sight& s, const Look& look) {
   ball_.set("height", float(s.height));
   ball_.set("light", float(s.light.x), float(s.light.y), float(s.light.z));
   ball_.set("flatness", flat_ ? 1.0f : 0.0f);
+  ball_.set("grown", flat_ ? 1.0f : 0.0f);  // half a pixel around: edges are not smoothed
   ball_.set("marked", look.marked ? int(*look.marked) : -1);
   ball_.set("slice_axis", look.slice.axis);
   ball_.set("slice_middle", float(look.slice.middle));
@@ -198,9 +199,10 @@ void Painter::draw_foam(const Sight& s, const Look& look, bool on_water) {
   glDisable(GL_BLEND);
 }
 
-void Painter::draw(const view::Camera& camera, const Look& look, int width, int height,
+void Painter::draw(const view::Camera& camera, const Look& look, const Region& region,
                    GLuint into) {
-  const double aspect = double(width) / height;
+  const int width = region.width, height = region.height;
+  const double aspect = region.aspect();
   Sight s{camera.view(), camera.projection(aspect), {}, {}, width, height, camera.field_of_view, 0};
   s.light = turned(s.view, light_direction());
   s.up = turned(s.view, {0, 1, 0});
@@ -212,7 +214,7 @@ void Painter::draw(const view::Camera& camera, const Look& look, int width, int 
     water_->behind().bind();
   } else {
     glBindFramebuffer(GL_FRAMEBUFFER, into);
-    glViewport(0, 0, width, height);
+    glViewport(region.left, 0, width, height);
   }
   glEnable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
@@ -230,7 +232,7 @@ void Painter::draw(const view::Camera& camera, const Look& look, int width, int 
     water_->draw(balls_,
                  {s.view, s.projection, r, float(1 / share), float(half * aspect), float(half),
                   float(std::max({size.x, size.y, size.z})), look.slice, s.light, s.up},
-                 width, height, look.water_detail, into);
+                 region, look.water_detail, into);
   }
   draw_foam(s, look, water);
 }

@@ -36,9 +36,13 @@ class Painter {
   /// Walls, bodies and probes of a scene.
   void set_scene(const Scene& scene);
   void set_frame(const Frame& frame, const Coloring& coloring);
-  /// Draws into the framebuffer `into`, over all of it.
-  void draw(const view::Camera& camera, const Look& look, int width, int height,
-            GLuint into = 0);
+  /// A rectangle of the window [px].
+  struct Region {
+    int left, width, height;
+    double aspect() const { return double(width) / height; }
+  };
+  /// Draws into a region of the framebuffer `into`, and clears the rest.
+  void draw(const view::Camera& camera, const Look& look, const Region& region, GLuint into = 0);
   std::size_t particles() const { return std::size_t(balls_.count()); }
 
  private:

@@ -9,7 +9,7 @@ const ShaderSource ball_shader{
     R"(
 layout(location = 0) in vec4 at;
 uniform mat4 view, projection;
-uniform float radius, height, slice_middle, slice_half;
+uniform float radius, height, grown, slice_middle, slice_half;
 uniform int slice_axis, marked;
 uniform sampler2D map;
 out vec3 eye;
@@ -21,7 +21,7 @@ void main() {
   float size = radius;
   if (gl_VertexID == marked) { color = vec3(1.0, 0.3, 0.1); size = 1.6 * radius; }
   gl_Position = projection * place;
-  gl_PointSize = max(1.0, height * projection[1][1] * size / gl_Position.w);
+  gl_PointSize = max(1.0, height * projection[1][1] * size / gl_Position.w + grown);
   float along = slice_axis == 0 ? at.x : slice_axis == 1 ? at.y : at.z;
   if (slice_axis >= 0 && abs(along - slice_middle) > slice_half) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }
@@ -275,7 +275,9 @@ void main() {
   vec3 light_through = exp(-absorption * thickness);
   vec3 refracted = texture(scene, through).rgb * light_through + deep * (1.0 - light_through);
   float facing = clamp(-dot(normal, along), 0.0, 1.0);
-  float fresnel = 0.02 + 0.98 * pow(1.0 - facing, 5.0);
+  float fresnel = 0.04 + 0.96 * pow(1.0 - facing, 4.0);  // a little stronger than water's
+  float lit = max(0.0, dot(normal, light));
+  refracted *= 0.80 + 0.28 * lit;
   vec3 reflected = sky(reflect(along, normal));
   float gloss = pow(max(0.0, dot(reflect(-light, normal), -along)), 120.0);
   result = vec4(mix(refracted, reflected, fresnel) + 0.6 * gloss, 1.0);
@@ -289,7 +291,7 @@ uniform sampler2D scene, scene_depth;
 out vec4 result;
 void main() {
   result = texture(scene, place);
-  gl_FragDepth = texture(scene_depth, place).r;
+  gl_FragDepth = min(texture(scene_depth, place).r, 0.99999);  // nearer than what was cleared
 }
 )"};
 

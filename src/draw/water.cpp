@@ -14,8 +14,8 @@ Program program(const char* name, const ShaderSource& s) { return {name, s.verte
 constexpr float absorbed[3] = {3.6f, 1.1f, 0.6f};
 constexpr float deep[3] = {0.02f, 0.20f, 0.30f};
 constexpr int rounds = 2;           // of the filter
-constexpr float filter_width = 6;   // radius of the filter in radii of a ball
-constexpr float filter_range = 4;   // in radii of a ball
+constexpr float filter_width = 4;   // radius of the filter in radii of a ball
+constexpr float filter_range = 3;   // in radii of a ball
 
 }  // namespace
 
@@ -64,8 +64,9 @@ void Water::smooth(const Shape& s) {
   glEnable(GL_DEPTH_TEST);
 }
 
-void Water::draw(const Vertices& balls, const Shape& s, int width, int height, int detail,
+void Water::draw(const Vertices& balls, const Shape& s, const Painter::Region& region, int detail,
                  GLuint into) {
+  const int width = region.width, height = region.height;
   const auto part = [](int pixels, int d) { return std::max(1, pixels / d); };
   for (Target* t : {&near_, &turned_}) t->resize(part(width, detail), part(height, detail));
   thick_.resize(part(width, 2 * detail), part(height, 2 * detail));
@@ -83,7 +84,7 @@ void Water::draw(const Vertices& balls, const Shape& s, int width, int height, i
   glEnable(GL_DEPTH_TEST);
   smooth(s);
   glBindFramebuffer(GL_FRAMEBUFFER, into);
-  glViewport(0, 0, width, height);
+  glViewport(region.left, 0, width, height);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   copy_.use();
   copy_.set_texture("scene", 0, behind_.color());

@@ -22,7 +22,7 @@ class Water {
     Point light, up;     ///< as the camera sees them
   };
   /// Draws the surface over a copy of behind() into a framebuffer.
-  void draw(const Vertices& balls, const Shape& shape, int width, int height, int detail,
+  void draw(const Vertices& balls, const Shape& shape, const Painter::Region& region, int detail,
             GLuint into);
 
  private:

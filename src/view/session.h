@@ -26,7 +26,8 @@ class Session {
   /// Opens the scene of a log and repeats its actions.
   void replay(const ActionLog& log);
   void play(bool playing);
-  /// Takes so many steps, or moves on by so many frames, as fast as possible, and pauses.
+  /// Takes so many steps, or moves on by so many frames, as fast as possible, and pauses. Later
+  /// requests do not wait for them; wait() does.
   void step(std::int64_t count = 1);
   /// Starts again with all changes.
   void restart();

@@ -134,16 +134,17 @@ void Context::draw_panels() {
 
 void Context::swap() { glfwSwapBuffers(window_); }
 
-Image Context::read() const {
+Image Context::read(int left) const {
   using namespace draw;
-  Image image(width_, height_, {0, 0, 0});
-  const auto w = std::size_t(width_);
+  const int width = width_ - left;
+  Image image(width, height_, {0, 0, 0});
+  const auto w = std::size_t(width);
   std::vector<std::uint8_t> rgba(4 * w * std::size_t(height_));
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  glReadPixels(left, 0, width, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
   for (int y = 0; y < height_; ++y)
-    for (int x = 0; x < width_; ++x) {
+    for (int x = 0; x < width; ++x) {
       const std::uint8_t* p = rgba.data() + 4 * (std::size_t(height_ - 1 - y) * w + std::size_t(x));
       image.at(x, y) = {p[0], p[1], p[2]};
     }

@@ -33,8 +33,8 @@ class Context {
   int width() const { return width_; }  ///< [px], not smaller than 1
   int height() const { return height_; }
   bool minimized() const;
-  /// The picture before swap().
-  Image read() const;
+  /// The picture before swap(), from this column on.
+  Image read(int left = 0) const;
   std::string renderer() const;
   /// Whether pixels are computed by the processor.
   bool is_software() const;

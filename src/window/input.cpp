@@ -20,17 +20,20 @@ bool pressed(int key) { return ImGui::IsKeyPressed(key, false); }
 
 }  // namespace
 
-void Viewer::handle_input(int width, int height) {
+void Viewer::handle_input(const draw::Painter::Region& region) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!io.WantCaptureKeyboard) handle_keys();
   if (!scene_) return;
-  const double aspect = double(width) / height;
-  // in pixels of the window, from its middle, y upwards
-  const double window_width = double(io.DisplaySize.x), window_height = double(io.DisplaySize.y);
-  const double x = 2 * double(io.MousePos.x) / window_width - 1,
+  const double aspect = region.aspect(), scale = double(io.DisplayFramebufferScale.x),
+               window_height = double(io.DisplaySize.y);
+  // from the middle of the picture, y upwards
+  const double x = 2 * (double(io.MousePos.x) * scale - region.left) / region.width - 1,
                y = 1 - 2 * double(io.MousePos.y) / window_height;
   if (io.WantCaptureMouse && !drag_.active) return;
-  if (io.MouseWheel != 0) camera_.zoom(std::pow(0.9, double(io.MouseWheel)), x, y, aspect);
+  if (io.MouseWheel != 0) {
+    moved_ = true;
+    camera_.zoom(std::pow(0.9, double(io.MouseWheel)), x, y, aspect);
+  }
   if (ImGui::IsMouseClicked(0)) {
     pressed_x_ = double(io.MousePos.x);
     pressed_y_ = double(io.MousePos.y);
@@ -39,6 +42,7 @@ void Viewer::handle_input(int width, int height) {
   if (drag_.active) return drag_push(x, y, aspect);
   const double dx = double(io.MouseDelta.x) / window_height,
                dy = -double(io.MouseDelta.y) / window_height;
+  if ((dx != 0 || dy != 0) && ImGui::IsAnyMouseDown()) moved_ = true;
   if (ImGui::IsMouseDown(0)) camera_.orbit(dx, dy);
   else if (ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2)) camera_.pan(dx, dy);
   const double moved = std::hypot(double(io.MousePos.x) - pressed_x_,
@@ -52,9 +56,7 @@ void Viewer::handle_keys() {
   if (pressed(GLFW_KEY_LEFT) && shown_->finished_run && shown_->frame_index > 0)
     session_.seek(shown_->frame_index - 1);
   if (pressed(GLFW_KEY_R)) session_.restart();
-  if (pressed(GLFW_KEY_F) && scene_)
-    camera_ = view::Camera::of(*scene_, shown_->frame.time,
-                               double(ImGui::GetIO().DisplaySize.x / ImGui::GetIO().DisplaySize.y));
+  if (pressed(GLFW_KEY_F)) fit();
   if (pressed(GLFW_KEY_W))
     look.style = look.style == draw::Style::water ? draw::Style::balls : draw::Style::water;
   if (pressed(GLFW_KEY_P)) picture_wanted_ = picture_file_;

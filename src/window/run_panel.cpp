@@ -18,26 +18,48 @@ void wrapped(const std::string& text) { ImGui::TextWrapped("%s", text.c_str()); 
 }  // namespace
 
 void Viewer::draw_panels() {
-  const float font = ImGui::GetFontSize(), height = ImGui::GetIO().DisplaySize.y;
   if (!shown_->problems.empty() || !own_problems_.empty()) problems_panel();
   if (!panels) return;
-  ImGui::SetNextWindowPos({0.6f * font, 0.6f * font}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSize({26 * font, height - 1.2f * font}, ImGuiCond_FirstUseEver);
-  if (ImGui::Begin("Freshet", nullptr, ImGuiWindowFlags_NoCollapse)) {
-    run_panel();
-    if (scene_) {
-      if (ImGui::CollapsingHeader("Look", ImGuiTreeNodeFlags_DefaultOpen)) look_panel();
-      if (!shown_->finished_run) {
-        if (ImGui::CollapsingHeader("Push")) push_controls();
-        if (ImGui::CollapsingHeader("Keys of the scene", ImGuiTreeNodeFlags_DefaultOpen))
-          keys_panel();
-        if (ImGui::CollapsingHeader("Plots", ImGuiTreeNodeFlags_DefaultOpen)) plots_panel();
-      }
-      if (ImGui::CollapsingHeader("Particle", ImGuiTreeNodeFlags_DefaultOpen)) particle_panel();
-    }
-    if (ImGui::CollapsingHeader("Files")) files_panel();
-  }
+  const float font = ImGui::GetFontSize();
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize({23 * font, size.y}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSizeConstraints({14 * font, size.y}, {0.7f * size.x, size.y});
+  constexpr auto fixed = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoTitleBar;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+  const bool open = ImGui::Begin("Freshet", nullptr, fixed);
+  panel_width_ = ImGui::GetWindowSize().x;
+  if (open) side_panel();
   ImGui::End();
+  ImGui::PopStyleVar();
+  if (!scene_) return;
+  if (selected_) {
+    ImGui::SetNextWindowPos({size.x - 28 * font, font}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize({19 * font, 0}, ImGuiCond_FirstUseEver);
+    if (ImGui::Begin("Particle")) particle_panel();
+    ImGui::End();
+  }
+  if (shown_->finished_run) return;
+  ImGui::SetNextWindowPos({size.x - 20 * font, size.y - font}, ImGuiCond_Once, {0, 1});
+  ImGui::SetNextWindowSize({19 * font, 0}, ImGuiCond_FirstUseEver);
+  if (ImGui::Begin("Plots")) plots_panel();
+  ImGui::End();
+}
+
+void Viewer::side_panel() {
+  run_panel();
+  if (!ImGui::BeginTabBar("tabs")) return;
+  const auto tab = [&](const char* name, void (Viewer::*draw)()) {
+    if (!ImGui::BeginTabItem(name)) return;
+    (this->*draw)();
+    ImGui::EndTabItem();
+  };
+  if (scene_ && !shown_->finished_run) tab("Keys", &Viewer::keys_panel);
+  if (scene_) tab("Look", &Viewer::look_panel);
+  if (scene_ && !shown_->finished_run) tab("Push", &Viewer::push_controls);
+  tab("Files", &Viewer::files_panel);
+  ImGui::EndTabBar();
 }
 
 void Viewer::run_panel() {
@@ -51,9 +73,7 @@ void Viewer::run_panel() {
   ImGui::SameLine();
   if (ImGui::Button(shown_->finished_run ? "Start" : "Restart")) session_.restart();
   ImGui::SameLine();
-  if (ImGui::Button("Fit"))
-    camera_ = view::Camera::of(*scene_, shown_->frame.time,
-                               double(ImGui::GetIO().DisplaySize.x / ImGui::GetIO().DisplaySize.y));
+  if (ImGui::Button("Fit")) fit();
   bool changed = ImGui::SliderFloat("speed", &pace_, 0.001f, 10, "%.3g x real time",
                                     ImGuiSliderFlags_Logarithmic);
   changed |= ImGui::Checkbox("as fast as possible", &full_speed_);
@@ -69,7 +89,7 @@ void Viewer::progress_line() {
                    s.frame.size()));
   if (s.finished_run) return;
   const double rate = s.step_seconds > 0 ? s.time_step / s.step_seconds : 0;
-  line(fmt::format("{}: {:.1f} ms a step, {} thread{}, {:.2g} x real time",
+  wrapped(fmt::format("{}: {:.1f} ms a step, {} thread{}, {:.2g} x real time",
                    s.scene->method().name, 1e3 * s.step_seconds, s.threads,
                    s.threads == 1 ? "" : "s", rate));
   if (s.ended) line("time.end is reached; change it to go on");
@@ -120,7 +140,7 @@ void Viewer::files_panel() {
         film_.finish();
         note_ = "wrote " + film_.file().string();
       } else {
-        film_.begin(film_file_, int(size.x * scale.x), int(size.y * scale.y),
+        film_.begin(film_file_, int((size.x - panel_width_) * scale.x), int(size.y * scale.y),
                     full_speed_ ? 1 : double(pace_));
       }
     }

@@ -20,7 +20,7 @@ void open(view::Session& session, const Options& o) {
   session.set_pace(o.pace);
   if (!o.log.empty()) session.replay(view::read_log(o.log));
   else if (!o.path.empty()) session.open(o.path, o.overrides);
-  if (o.steps > 0) session.step(o.steps);
+  if (o.steps > 0 && !o.panels) session.step(o.steps);
   if (o.play) session.play(true);
 }
 
@@ -53,14 +53,14 @@ class Loop {
   void draw_picture(bool panels) {
     const auto start = Clock::now();
     context_.begin_picture();
-    const int width = context_.width(), height = context_.height();
-    viewer_.update(double(width) / height);
+    const auto region = viewer_.region(context_.width(), context_.height());
+    viewer_.update(region);
     if (!look_set_) set_look(viewer_, options_);
     look_set_ = true;
-    viewer_.handle_input(width, height);
-    viewer_.update(double(width) / height);
-    viewer_.draw(width, height);
-    save_picture();
+    viewer_.handle_input(region);
+    viewer_.update(region);
+    viewer_.draw(region);
+    save_picture(region.left);
     if (panels) {
       viewer_.draw_color_bar();
       viewer_.draw_panels();
@@ -71,10 +71,10 @@ class Loop {
 
  private:
   /// Pictures and films are without panels.
-  void save_picture() {
+  void save_picture(int left) {
     const std::string name = viewer_.take_picture_name();
     if (name.empty() && !viewer_.wants_record()) return;
-    const Image image = context_.read();
+    const Image image = context_.read(left);
     viewer_.record(image);
     if (name.empty()) return;
     try {
@@ -109,8 +109,15 @@ Result result_of(view::Session& session, Loop& loop) {
 void take_screenshot(view::Session& session, Loop& loop, const Options& o) {
   const auto ready = session.wait();
   if (!ready->problems.empty()) throw Error(Error::Kind::scene, ready->problems);
-  // panels have their size from the second picture on
-  for (int k = 0; k < (o.panels ? 3 : 1); ++k) loop.draw_picture(o.panels);
+  // plots grow from picture to picture, and panels have their size from the second one on
+  const std::int64_t parts = o.panels ? std::clamp<std::int64_t>(o.steps, 3, 60) : 1;
+  for (std::int64_t k = 0; k < parts; ++k) {
+    if (o.panels) session.step(o.steps * (k + 1) / parts - o.steps * k / parts);
+    session.wait();
+    loop.draw_picture(o.panels);
+  }
+  const auto last = session.wait();
+  if (!last->problems.empty()) throw Error(Error::Kind::run, last->problems);
   const Image image = loop.context().read();
   write_file(o.screenshot, encode_png(image));
 }

@@ -23,7 +23,23 @@ Viewer::Viewer(view::Session& session, bool software) : session_(session) {
   look.water_detail = software ? 2 : 1;
 }
 
-bool Viewer::update(double aspect) {
+draw::Painter::Region Viewer::region(int width, int height) const {
+  const ImGuiIO& io = ImGui::GetIO();
+  const float left = panels ? panel_width_ * io.DisplayFramebufferScale.x : 0;
+  const int from = std::clamp(int(left), 0, std::max(0, width - 64));
+  return {from, width - from, height};
+}
+
+void Viewer::fit() {
+  moved_ = false;
+  if (scene_) camera_ = view::Camera::of(*scene_, shown_->frame.time, aspect_);
+}
+
+bool Viewer::update(const draw::Painter::Region& region) {
+  if (region.aspect() != aspect_) {
+    aspect_ = region.aspect();
+    if (!moved_) fit();
+  }
   const auto newest = session_.newest();
   const bool changed = newest != shown_;
   if (!changed && !colors_changed_) return false;
@@ -33,7 +49,7 @@ bool Viewer::update(double aspect) {
     note_ = shown_->notice;
   }
   if (!shown_->scene) return changed;
-  if (shown_->scene != scene_) show_scene(aspect);
+  if (shown_->scene != scene_) show_scene();
   history_.add(*shown_);
   color_frame();
   neighbors_.clear();
@@ -44,14 +60,14 @@ bool Viewer::update(double aspect) {
 }
 
 /// Another scene, or the same one after a change: the camera stays unless the file is another.
-void Viewer::show_scene(double aspect) {
+void Viewer::show_scene() {
   scene_ = shown_->scene;
   painter_.set_scene(*scene_);
   coloring_scene_ = *scene_;
   keys_ = shown_->finished_run ? std::vector<SceneKey>() : keys_of(*scene_);
   if (name_ == shown_->name) return;
   name_ = shown_->name;
-  camera_ = view::Camera::of(*scene_, shown_->frame.time, aspect);
+  fit();
   selected_.reset();
   look.slice = {};
   color_by.reset();
@@ -83,13 +99,13 @@ void Viewer::color_frame() {
   painter_.set_frame(shown_->frame, coloring_);
 }
 
-void Viewer::draw(int width, int height) {
+void Viewer::draw(const draw::Painter::Region& region) {
   const bool water = look.style == draw::Style::water && scene_ && scene_->dimension() == 3;
   look.background = water || !background_of_scene_ || !scene_ ? daylight
                                                               : tint_of(ground_color(*scene_));
   look.marked.reset();
   if (selected_) look.marked = view::find_id(shown_->frame, *selected_);
-  painter_.draw(camera_, look, width, height);
+  painter_.draw(camera_, look, region);
 }
 
 void Viewer::draw_color_bar() {
@@ -98,8 +114,8 @@ void Viewer::draw_color_bar() {
     return;
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const float font = ImGui::GetFontSize(), wide = 0.9f * font, tall = 0.4f * size.y;
-  const float x = size.x - 6.5f * font, y = 0.5f * (size.y - tall);
+  const float font = ImGui::GetFontSize(), wide = 0.9f * font, tall = 0.3f * size.y;
+  const float x = size.x - 6.5f * font, y = 3 * font;
   const bool light = look.background.r + look.background.g + look.background.b > 1.5f;
   const ImU32 ink = light ? IM_COL32(20, 24, 30, 255) : IM_COL32(235, 238, 242, 255);
   list.AddText({x - 1.5f * font, y - 1.6f * font}, ink, coloring_.label.c_str());

@@ -26,13 +26,15 @@ class Viewer {
  public:
   Viewer(view::Session& session, bool software);
 
+  /// The part of a window of this size that the panels leave [px].
+  draw::Painter::Region region(int width, int height) const;
   /// Takes the newest snapshot; true if it is another than before.
-  bool update(double aspect);
+  bool update(const draw::Painter::Region& region);
   /// Handles the mouse and the keys that the panels do not take.
-  void handle_input(int width, int height);
+  void handle_input(const draw::Painter::Region& region);
   void draw_panels();
   void draw_color_bar();
-  void draw(int width, int height);
+  void draw(const draw::Painter::Region& region);
   /// Whether the present picture is one of a film.
   bool wants_record() const { return film_.wants(shown_->frame.time); }
   /// Adds a picture to the film, if one is recorded.
@@ -51,9 +53,10 @@ class Viewer {
   bool closing = false;
 
  private:
-  void show_scene(double aspect);
+  void show_scene();
   void color_frame();
   // Panels
+  void side_panel();
   void run_panel();
   void progress_line();
   void timeline();
@@ -70,6 +73,7 @@ class Viewer {
   void problems_panel();
   // Input
   void handle_keys();
+  void fit();
   void drag_push(double x, double y, double aspect);
   void begin_push(double x, double y, double aspect);
   void end_push();
@@ -95,6 +99,9 @@ class Viewer {
   std::vector<std::string> plotted_;
   Drag drag_;
   float push_radius_ = 0, push_strength_ = 0;
+  float panel_width_ = 0;  // [pixels of the window]; 0: not drawn yet
+  double aspect_ = 1;
+  bool moved_ = false;  // the camera, by the user
   float pace_ = 1;
   bool full_speed_ = false, background_of_scene_ = true;
   std::optional<int> map_;  // a ColorMap

@@ -11,6 +11,7 @@
 #include "freshet/solver_method.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/parse_toml.h"
+#include "scene/model/setup.h"
 
 namespace freshet {
 namespace {
@@ -142,6 +143,18 @@ bool only_others_read(const SolverMethod& own, const std::string& path) {
   });
 }
 
+/// Shows the numbers that the scene's defaults have.
+void fill_defaults(const Scene& scene, SceneKey& key) {
+  if (key.is_set || !key.value.empty()) return;
+  const auto number = [&](double value) { key.value = fmt::format("{:.6g}", value); };
+  if (key.path == "domain.gravity")
+    key.value = fmt::format("[{}]", fmt::join(scene.domain.gravity, ", "));
+  if (key.path == "solver.sound_speed") number(sound_speed(scene));
+  if (key.path == "solver.stiffness") number(stiffness(scene));
+  if (key.path == "solver.artificial_viscosity") number(artificial_viscosity(scene));
+  if (key.path == "solver.density_tolerance") number(density_tolerance(scene));
+}
+
 }  // namespace
 
 std::vector<SceneKey> keys_of(const Scene& scene) {
@@ -153,6 +166,7 @@ std::vector<SceneKey> keys_of(const Scene& scene) {
   std::erase_if(lister.keys, [&](const SceneKey& key) {
     return !key.is_set && only_others_read(scene.method(), key.path);
   });
+  for (SceneKey& key : lister.keys) fill_defaults(scene, key);
   return std::move(lister.keys);
 }
 
