@@ -11,7 +11,7 @@ namespace freshet::cli {
 namespace {
 
 struct ViewArguments : ChangeArguments {
-  std::string name, log, screenshot, color, style = "balls";
+  std::string name, solver, log, screenshot, color, style = "balls";
   std::int64_t steps = 0, pictures = 0;
   int width = 0, height = 0;
   double speed = 1;
@@ -26,6 +26,11 @@ window::Options options_of(const ViewArguments& a) {
                                                        : find_scene(a.name);
   o.log = a.log;
   o.overrides = a.overrides();
+  if (!a.solver.empty() && !o.path.empty()) {
+    const SceneChange change = change_solver(o.path, a.solver, o.overrides);
+    print_diagnostics(change.dropped);
+    o.overrides = change.overrides;
+  }
   o.execution = a.execution();
   o.play = a.play;
   o.pace = a.speed;
@@ -37,6 +42,7 @@ window::Options options_of(const ViewArguments& a) {
   o.water = a.style == "water";
   o.color_by = a.color;
   o.pictures = a.pictures;
+  o.measure = a.report;
   return o;
 }
 
@@ -57,6 +63,9 @@ void add_view(Program& program) {
   const auto a = std::make_shared<ViewArguments>();
   const Command view = program.add("view", "Show a scene or a finished run in a window");
   view.option("SCENE", a->name, "a scene file, the name of a bundled scene, or the folder of a run");
+  view.option("--solver", a->solver,
+              "another solver than the scene's; keys that it does not use are dropped")
+      .one_of(solver_names());
   a->add_to(view);
   view.flag("--play", a->play, "do not wait for Play");
   view.option("--speed", a->speed,

@@ -35,6 +35,7 @@
   F(DrawArrays, DRAWARRAYS)                                                                \
   F(Enable, ENABLE)                                                                        \
   F(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY)                                      \
+  F(Finish, FINISH)                                                                        \
   F(FramebufferTexture2D, FRAMEBUFFERTEXTURE2D)                                            \
   F(GenBuffers, GENBUFFERS)                                                                \
   F(GenFramebuffers, GENFRAMEBUFFERS)                                                      \

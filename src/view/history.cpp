@@ -38,21 +38,21 @@ void History::add(const Snapshot& s) {
   if (s.run != run_) {
     run_ = s.run;
     interval_ = 0;
-    times_.clear();
-    series_.clear();
+    all_.times.clear();
+    all_.series.clear();
   }
   const auto time = float(s.frame.time);
-  if (!times_.empty() && time <= times_.back() + interval_) return;
+  if (!all_.times.empty() && time <= all_.times.back() + interval_) return;
   for (const auto& [name, value] : numbers_of(s)) {
-    const auto at = std::find_if(series_.begin(), series_.end(),
+    const auto at = std::find_if(all_.series.begin(), all_.series.end(),
                                  [&n = name](const Series& one) { return one.name == n; });
-    Series& one = at == series_.end() ? series_.emplace_back(Series{name, {}}) : *at;
-    one.values.resize(times_.size(), one.values.empty() ? float(value) : one.values.back());
+    Series& one = at == all_.series.end() ? all_.series.emplace_back(Series{name, {}}) : *at;
+    one.values.resize(all_.times.size(), one.values.empty() ? float(value) : one.values.back());
     one.values.push_back(float(value));
   }
-  times_.push_back(time);
-  for (Series& one : series_) one.values.resize(times_.size(), one.values.back());
-  if (times_.size() >= most) thin_out();
+  all_.times.push_back(time);
+  for (Series& one : all_.series) one.values.resize(all_.times.size(), one.values.back());
+  if (all_.times.size() >= most) thin_out();
 }
 
 void History::thin_out() {
@@ -60,9 +60,9 @@ void History::thin_out() {
     for (std::size_t k = 0; 2 * k < values.size(); ++k) values[k] = values[2 * k];
     values.resize((values.size() + 1) / 2);
   };
-  interval_ = 2 * (times_.back() - times_.front()) / float(times_.size());
-  halve(times_);
-  for (Series& one : series_) halve(one.values);
+  interval_ = 2 * (all_.times.back() - all_.times.front()) / float(all_.times.size());
+  halve(all_.times);
+  for (Series& one : all_.series) halve(one.values);
 }
 
 }  // namespace freshet::view

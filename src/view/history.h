@@ -10,14 +10,12 @@ namespace freshet::view {
 /// Numbers over time of the snapshots of a run, for plots.
 class History {
  public:
-  struct Series {
-    std::string name;  ///< "speed max [m/s]"
-    std::vector<float> values;
-  };
+  using Series = SeriesOverTime::Series;
   /// Begins anew where the snapshot is of another run. Skips snapshots that are not later.
   void add(const Snapshot& snapshot);
-  const std::vector<float>& times() const { return times_; }
-  const std::vector<Series>& series() const { return series_; }
+  const std::vector<float>& times() const { return all_.times; }
+  const std::vector<Series>& series() const { return all_.series; }
+  const SeriesOverTime& all() const { return all_; }
 
  private:
   /// Keeps every second moment: the resolution halves as the run grows.
@@ -26,8 +24,7 @@ class History {
   static constexpr std::size_t most = 2048;
   std::uint64_t run_ = 0;
   float interval_ = 0;  // minimum between moments [s]
-  std::vector<float> times_;
-  std::vector<Series> series_;
+  SeriesOverTime all_;
 };
 
 }  // namespace freshet::view

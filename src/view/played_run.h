@@ -24,6 +24,7 @@ class PlayedRun {
  private:
   std::shared_ptr<const Scene> scene_;
   FinishedRun run_;
+  std::shared_ptr<const SeriesOverTime> recorded_;
   std::vector<double> times_;
   std::size_t index_ = 0;
   Frame frame_;

@@ -12,6 +12,16 @@
 
 namespace freshet::view {
 
+/// Numbers over time.
+struct SeriesOverTime {
+  struct Series {
+    std::string name;  ///< "speed max [m/s]"
+    std::vector<float> values;
+  };
+  std::vector<float> times;  ///< [s]
+  std::vector<Series> series;
+};
+
 /// The state that a session shows at one time. It never changes after it is published.
 struct Snapshot {
   std::uint64_t number = 0;  ///< counts the snapshots of a session
@@ -23,6 +33,8 @@ struct Snapshot {
   bool finished_run = false;  ///< data files, not a simulation
   std::size_t frame_index = 0, frame_count = 0;  ///< of a finished run
   std::vector<double> frame_times;               ///< of its frames that were read; NaN: not yet
+
+  std::shared_ptr<const SeriesOverTime> recorded;  ///< observables.csv of a finished run; may be null
 
   bool playing = false;
   bool ended = false;   ///< time.end, or the last frame

@@ -134,6 +134,8 @@ void Context::draw_panels() {
 
 void Context::swap() { glfwSwapBuffers(window_); }
 
+void Context::finish() const { draw::glFinish(); }
+
 Image Context::read(int left) const {
   using namespace draw;
   const int width = width_ - left;

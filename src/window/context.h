@@ -30,6 +30,8 @@ class Context {
   /// Draws the panels over the picture.
   void draw_panels();
   void swap();
+  /// Waits until everything is drawn.
+  void finish() const;
   int width() const { return width_; }  ///< [px], not smaller than 1
   int height() const { return height_; }
   bool minimized() const;

@@ -102,32 +102,61 @@ void Viewer::camera_controls() {
 }
 
 void Viewer::plots_panel() {
-  const auto& series = history_.series();
-  if (plotted_.empty() && !series.empty())
-    plotted_ = {series[0].name, "speed max [m/s]", "density error mean [%]"};
-  if (ImGui::BeginCombo("##plots", "choose what is plotted")) {
+  const view::SeriesOverTime& all = shown_->recorded ? *shown_->recorded : history_.all();
+  const auto& series = all.series;
+  const auto is_plotted = [&](const std::string& name) {
+    return std::find(plotted_.begin(), plotted_.end(), name) != plotted_.end();
+  };
+  if (plotted_.empty())
+    for (const view::History::Series& s : series)
+      if (s.name.starts_with("kinetic energy") || s.name == "speed max [m/s]" ||
+          s.name == "density error mean [%]")
+        plotted_.push_back(s.name);
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::BeginCombo("##plots", "choose what is plotted", ImGuiComboFlags_HeightLarge)) {
     for (const view::History::Series& s : series) {
-      const auto at = std::find(plotted_.begin(), plotted_.end(), s.name);
-      bool on = at != plotted_.end();
+      bool on = is_plotted(s.name);
       if (!ImGui::Checkbox(s.name.c_str(), &on)) continue;
-      if (!on) plotted_.erase(at);
+      if (!on) std::erase(plotted_, s.name);
       else if (plotted_.size() < most_plots) plotted_.push_back(s.name);
     }
     ImGui::EndCombo();
   }
-  for (const view::History::Series& s : series) {
-    if (s.values.empty() || std::find(plotted_.begin(), plotted_.end(), s.name) == plotted_.end())
-      continue;
-    const auto [low, high] = std::minmax_element(s.values.begin(), s.values.end());
-    line(s.name);
-    ImGui::PlotLines(("##" + s.name).c_str(), s.values.data(), int(s.values.size()), 0,
-                     fmt::format("{:.4g}", s.values.back()).c_str(), *low, *high,
-                     {ImGui::GetContentRegionAvail().x, 4 * ImGui::GetFontSize()});
-    if (ImGui::IsItemHovered())
-      ImGui::SetTooltip("%s", fmt::format("{:.4g} to {:.4g}\n{:.4g} s to {:.4g} s", *low, *high,
-                                          history_.times().front(), history_.times().back())
-                                  .c_str());
+  for (const view::History::Series& s : series)
+    if (!s.values.empty() && is_plotted(s.name)) plot(s.name, all.times, s.values);
+}
+
+/// A curve over time, with a mark at the time that is shown.
+void Viewer::plot(const std::string& name, const std::vector<float>& times,
+                  const std::vector<float>& values) const {
+  const float font = ImGui::GetFontSize(), wide = ImGui::GetContentRegionAvail().x,
+              tall = 3.6f * font;
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const auto now = std::size_t(
+      std::upper_bound(times.begin(), times.end(), float(shown_->frame.time) * 1.000001f) -
+      times.begin());
+  line(fmt::format("{}: {:.4g}", name, values[now > 0 ? now - 1 : 0]));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + wide, at.y + tall}, ImGui::GetColorU32(ImGuiCol_FrameBg), 3);
+  const float span = std::max(times.back() - times.front(), 1e-12f),
+              range = std::max(*high - *low, 1e-30f);
+  const auto x_of = [&](float t) { return at.x + 3 + (wide - 6) * (t - times.front()) / span; };
+  std::vector<ImVec2> points;
+  for (std::size_t k = 0; k < values.size() && k < times.size(); ++k)
+    if (std::isfinite(values[k]))
+      points.push_back({x_of(times[k]), at.y + tall - 3 - (tall - 6) * (values[k] - *low) / range});
+  list.AddPolyline(points.data(), int(points.size()), ImGui::GetColorU32(ImGuiCol_PlotLines),
+                   ImDrawFlags_None, 1.5f);
+  if (shown_->finished_run) {
+    const float x = x_of(float(shown_->frame.time));
+    list.AddLine({x, at.y}, {x, at.y + tall}, IM_COL32(255, 190, 90, 255));
   }
+  ImGui::Dummy({wide, tall});
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("%s", fmt::format("{:.4g} to {:.4g}\n{:.4g} s to {:.4g} s", *low, *high,
+                                        times.front(), times.back())
+                                .c_str());
 }
 
 void Viewer::particle_panel() {

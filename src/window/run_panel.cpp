@@ -40,7 +40,7 @@ void Viewer::draw_panels() {
     if (ImGui::Begin("Particle")) particle_panel();
     ImGui::End();
   }
-  if (shown_->finished_run) return;
+  if (shown_->finished_run && !shown_->recorded) return;
   ImGui::SetNextWindowPos({size.x - 20 * font, size.y - font}, ImGuiCond_Once, {0, 1});
   ImGui::SetNextWindowSize({19 * font, 0}, ImGuiCond_FirstUseEver);
   if (ImGui::Begin("Plots")) plots_panel();

@@ -25,6 +25,7 @@ void open(view::Session& session, const Options& o) {
 }
 
 void set_look(Viewer& viewer, const Options& o) {
+  if (!o.screenshot.empty()) viewer.look.water_detail = 1;
   if (o.water) viewer.look.style = draw::Style::water;
   for (std::size_t k = 0; k < std::size(color_by_words); ++k)
     if (o.color_by == color_by_words[k]) viewer.color_by = ColorBy(k);
@@ -66,6 +67,7 @@ class Loop {
       viewer_.draw_panels();
     }
     context_.draw_panels();
+    if (options_.measure) context_.finish();
     seconds_.push_back(std::chrono::duration<double>(Clock::now() - start).count());
   }
 

@@ -118,6 +118,8 @@ void Viewer::draw_color_bar() {
   const float x = size.x - 6.5f * font, y = 3 * font;
   const bool light = look.background.r + look.background.g + look.background.b > 1.5f;
   const ImU32 ink = light ? IM_COL32(20, 24, 30, 255) : IM_COL32(235, 238, 242, 255);
+  list.AddRectFilled({x - 2 * font, y - 2 * font}, {size.x, y + tall + font},
+                     light ? IM_COL32(240, 243, 246, 150) : IM_COL32(8, 10, 28, 150), 4);
   list.AddText({x - 1.5f * font, y - 1.6f * font}, ink, coloring_.label.c_str());
   if (!coloring_.liquids.empty()) {
     for (std::size_t k = 0; k < coloring_.liquids.size(); ++k) {

@@ -68,6 +68,8 @@ class Viewer {
   void key_row(const SceneKey& key);
   bool edit_value(const SceneKey& key, std::string& value);
   void plots_panel();
+  void plot(const std::string& name, const std::vector<float>& times,
+            const std::vector<float>& values) const;
   void particle_panel();
   void files_panel();
   void problems_panel();

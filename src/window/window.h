@@ -25,6 +25,7 @@ struct Options {
   bool panels = false;               ///< with the panels in the screenshot
   bool water = false;                ///< as a liquid surface, in 3D
   std::string color_by;              ///< a name of picture.color_by; empty: the scene's
+  bool measure = false;              ///< waits for each picture, for Result::picture_seconds
   std::int64_t pictures = 0;         ///< closes the window after so many pictures; 0: never
 };
 
