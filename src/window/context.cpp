@@ -108,6 +108,7 @@ Context::~Context() {
 bool Context::closed() const { return glfwWindowShouldClose(window_); }
 void Context::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 void Context::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+void Context::resize(int width, int height) { glfwSetWindowSize(window_, width, height); }
 bool Context::minimized() const { return glfwGetWindowAttrib(window_, GLFW_ICONIFIED); }
 
 void Context::poll(double seconds) {

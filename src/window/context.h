@@ -22,6 +22,7 @@ class Context {
   bool closed() const;
   void close();
   void set_title(const std::string& title);
+  void resize(int width, int height);
   /// Handles events; waits for one for at most `seconds`.
   void poll(double seconds);
   /// The files that were dropped on the window since the last call.

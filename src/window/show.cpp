@@ -68,7 +68,7 @@ class Loop {
     }
     context_.draw_panels();
     if (options_.measure) context_.finish();
-    seconds_.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+    if (viewer_.shown().scene) seconds_.push_back(std::chrono::duration<double>(Clock::now() - start).count());
   }
 
  private:
@@ -147,7 +147,11 @@ Result show(const Options& o) {
     loop.context().swap();
     if (const std::string now = loop.viewer().title(); now != title)
       loop.context().set_title(title = now);
-    if (o.pictures > 0 && ++drawn >= o.pictures) loop.context().close();
+    const view::Snapshot& shown = loop.viewer().shown();
+    if (shown.scene) ++drawn;
+    else if (o.pictures > 0 && !shown.problems.empty())
+      throw Error(Error::Kind::scene, shown.problems);
+    if (o.pictures > 0 && drawn >= o.pictures) loop.context().close();
   }
   session.play(false);
   return result_of(session, loop);

@@ -55,6 +55,12 @@ const std::map<std::string, std::set<std::string>> arrows{
     {"validate",
      {"api", "core", "scene", "render", "run", "fmt", "toml++", "nlohmann", "openssl",
       "muParser.h"}},
+    {"view",
+     {"api", "core", "io", "mesh", "render", "run", "scene", "sim", "fmt", "toml++"}},
+    {"draw", {"api", "render", "view", "GL", "GLES3"}},
+    {"window",
+     {"api", "draw", "io", "render", "run", "scene", "view", "fmt", "GLFW", "backends", "imgui.h",
+      "imgui_impl_glfw.h", "imgui_impl_opengl3.h", "imgui_stdlib.h"}},
 };
 
 bool is_system(const std::string& include) {
