@@ -20,7 +20,6 @@ constexpr const char* live[] = {
     "inlet.flow_rate",
     "inlet.stop",
     "inlet.viscosity",
-    "wall.velocity",
     "wall.restitution",
     "walls.restitution",
     "joint.motor_speed",

@@ -6,9 +6,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
+#include <utility>
 
 #include "freshet/solver_method.h"
+#include "scene/check/check.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/parse_toml.h"
 #include "scene/model/setup.h"
@@ -18,8 +21,26 @@ namespace {
 
 using Kind = SceneKey::Kind;
 
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + "\"";
+}
+
+/// A value as a person writes it: numbers without the digits that rounding adds.
 std::string text_of(const toml::node& node) {
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+  if (const auto* text = node.as_string()) return quoted(text->get());
   std::ostringstream out;
+  if (const auto* list = node.as_array()) {
+    const char* comma = "";
+    for (const toml::node& element : *list)
+      out << std::exchange(comma, ", ") << text_of(element);
+    return "[" + out.str() + "]";
+  }
   node.visit([&](const auto& n) { out << n; });
   return out.str();
 }
@@ -143,6 +164,14 @@ bool only_others_read(const SolverMethod& own, const std::string& path) {
   });
 }
 
+/// The keys that nothing would read if they were set.
+std::set<std::string> keys_without_use(Scene scene, const std::vector<SceneKey>& keys) {
+  for (const SceneKey& key : keys) scene.places.emplace(key.path, key.path);
+  std::set<std::string> unused;
+  for (const UnusedKey& key : unused_keys(scene, {})) unused.insert(key.key);
+  return unused;
+}
+
 /// Shows the numbers that the scene's defaults have.
 void fill_defaults(const Scene& scene, SceneKey& key) {
   if (key.is_set || !key.value.empty()) return;
@@ -163,8 +192,9 @@ std::vector<SceneKey> keys_of(const Scene& scene) {
   KeyLister lister(root);
   Scene defaults;
   visit_keys(lister, defaults);
+  const std::set<std::string> unused = keys_without_use(scene, lister.keys);
   std::erase_if(lister.keys, [&](const SceneKey& key) {
-    return !key.is_set && only_others_read(scene.method(), key.path);
+    return !key.is_set && (unused.contains(key.path) || only_others_read(scene.method(), key.path));
   });
   for (SceneKey& key : lister.keys) fill_defaults(scene, key);
   return std::move(lister.keys);
