@@ -62,7 +62,8 @@ int view_run(const ViewArguments& a) {
 void add_view(Program& program) {
   const auto a = std::make_shared<ViewArguments>();
   const Command view = program.add("view", "Show a scene or a finished run in a window");
-  view.option("SCENE", a->name, "a scene file, the name of a bundled scene, or the folder of a run");
+  view.option("SCENE", a->name,
+              "a scene file, the name of a bundled scene, or the folder of a run");
   view.option("--solver", a->solver,
               "another solver than the scene's; keys that it does not use are dropped")
       .one_of(solver_names());
@@ -88,7 +89,8 @@ void add_view(Program& program) {
   view.flag("--report", a->report, "print the state and the times at the end");
   view.footer(
       "Space plays and pauses, S steps, R restarts, F fits the view, W switches to water, H hides "
-      "the panels, P saves a picture. Drag to orbit, with the right button to pan; the wheel zooms. "
+      "the panels, P saves a picture. Drag to orbit, with the right button to pan; the wheel "
+      "zooms. "
       "Drag with Shift to push the liquid or a free body. Click a particle to see its state.\n\n"
       "Examples:\n  freshet view dam_break_2d --play\n  freshet view runs/dam_break_3d --style "
       "water\n  freshet view dam_break_3d --steps 500 --screenshot still.png");

@@ -15,11 +15,11 @@ struct SceneKey {
   std::string name;     ///< "viscosity"
   std::string unit, text;
   Kind kind = Kind::other;
-  std::string value;     ///< TOML; that of the scene, else a fixed default; may be empty
-  bool is_set = false;   ///< the scene sets it
-  std::string fallback;  ///< the default in words, if it is not a fixed value
-  double min, max;       ///< range of numbers, infinity without a limit
-  bool above = false;    ///< min itself is not allowed
+  std::string value;               ///< TOML; that of the scene, else a fixed default; may be empty
+  bool is_set = false;             ///< the scene sets it
+  std::string fallback;            ///< the default in words, if it is not a fixed value
+  double min, max;                 ///< range of numbers, infinity without a limit
+  bool above = false;              ///< min itself is not allowed
   std::vector<std::string> words;  ///< the values of a word
   bool live = false;               ///< may_change_while_running()
 };

@@ -11,7 +11,7 @@ FRESHET_GL_FUNCTIONS(FRESHET_GL_DEFINE)
 #undef FRESHET_GL_DEFINE
 
 const char* load_gl(void* (*find)(const char* name)) {
-#define FRESHET_GL_FIND(name, type)                                   \
+#define FRESHET_GL_FIND(name, type)                                 \
   gl##name = reinterpret_cast<PFNGL##type##PROC>(find("gl" #name)); \
   if (!gl##name) return "gl" #name;
   FRESHET_GL_FUNCTIONS(FRESHET_GL_FIND)

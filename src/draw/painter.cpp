@@ -27,9 +27,7 @@ Point turned(const view::Matrix& m, Point p) {
           double(m[2]) * p.x + double(m[6]) * p.y + double(m[10]) * p.z};
 }
 
-view::Tint tint_of(Color c) {
-  return {float(c.r) / 255, float(c.g) / 255, float(c.b) / 255, 1};
-}
+view::Tint tint_of(Color c) { return {float(c.r) / 255, float(c.g) / 255, float(c.b) / 255, 1}; }
 
 }  // namespace
 

@@ -18,7 +18,7 @@ struct Look {
   Style style = Style::balls;  ///< water in 3D only
   view::Slice slice;           ///< 3D
   bool walls = true, bodies = true, probes = true, floor = true, foam = true;
-  float size = 1;                ///< of particles: a factor of their diameter
+  float size = 1;  ///< of particles: a factor of their diameter
   view::Tint background{0.03f, 0.04f, 0.11f, 1};
   std::optional<std::size_t> marked;  ///< a particle
   int water_detail = 1;               ///< the liquid is computed for every so many pixels

@@ -13,9 +13,9 @@ Program program(const char* name, const ShaderSource& s) { return {name, s.verte
 /// Light that a length of the domain lets through, and the colour of deep water.
 constexpr float absorbed[3] = {3.6f, 1.1f, 0.6f};
 constexpr float deep[3] = {0.02f, 0.20f, 0.30f};
-constexpr int rounds = 2;           // of the filter
-constexpr float filter_width = 4;   // radius of the filter in radii of a ball
-constexpr float filter_range = 3;   // in radii of a ball
+constexpr int rounds = 2;          // of the filter
+constexpr float filter_width = 4;  // radius of the filter in radii of a ball
+constexpr float filter_range = 3;  // in radii of a ball
 
 }  // namespace
 

@@ -14,12 +14,12 @@ class Water {
   Target& behind() { return behind_; }
   struct Shape {
     view::Matrix view, projection;
-    float radius;        ///< of a ball [m]
-    float chord;         ///< thickness over the sum of the balls' chords
+    float radius;                   ///< of a ball [m]
+    float chord;                    ///< thickness over the sum of the balls' chords
     float half_width, half_height;  ///< of what is seen at a distance of 1
-    float length;        ///< of the domain, on which the clearness depends [m]
+    float length;                   ///< of the domain, on which the clearness depends [m]
     view::Slice slice;
-    Point light, up;     ///< as the camera sees them
+    Point light, up;  ///< as the camera sees them
   };
   /// Draws the surface over a copy of behind() into a framebuffer.
   void draw(const Vertices& balls, const Shape& shape, const Painter::Region& region, int detail,

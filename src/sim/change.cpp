@@ -28,8 +28,8 @@ void check_live(const std::vector<Override>& overrides) {
 /// inlet's new speed.
 void keep_layers(Checkpoint& c, const Scene& before, const Scene& after) {
   for (std::size_t k = 0; k < before.inlet.size() && k < after.inlet.size(); ++k) {
-    const double ratio = inlet_plan(before, before.inlet[k]).speed /
-                         inlet_plan(after, after.inlet[k]).speed;
+    const double ratio =
+        inlet_plan(before, before.inlet[k]).speed / inlet_plan(after, after.inlet[k]).speed;
     if (ratio == 1) continue;
     const std::string name = fmt::format("flows/inlet_{}_crossings", k);
     for (Checkpoint::Array& array : c.arrays) {

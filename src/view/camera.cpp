@@ -76,7 +76,7 @@ Point Camera::eye() const { return target - distance * forward(); }
 Matrix Camera::view() const {
   const Point x = right(), y = up(), z = -1.0 * forward(), e = eye();
   const auto f = [](double a) { return float(a); };
-  return {f(x.x), f(y.x), f(z.x), 0, f(x.y), f(y.y), f(z.y), 0,
+  return {f(x.x), f(y.x), f(z.x), 0, f(x.y),        f(y.y),        f(z.y),        0,
           f(x.z), f(y.z), f(z.z), 0, f(-dot(x, e)), f(-dot(y, e)), f(-dot(z, e)), 1};
 }
 
@@ -101,8 +101,7 @@ Matrix Camera::projection(double aspect) const {
 }
 
 Camera::Ray Camera::ray(double x, double y, double aspect) const {
-  if (flat_)
-    return {target + Point{x * aspect * height / 2, y * height / 2, distance}, {0, 0, -1}};
+  if (flat_) return {target + Point{x * aspect * height / 2, y * height / 2, distance}, {0, 0, -1}};
   const double half = std::tan(field_of_view * degree / 2);
   const Point along = forward() + x * aspect * half * right() + y * half * up();
   return {eye(), along / norm(along)};

@@ -11,7 +11,7 @@ namespace freshet::view {
 
 /// A part of space that is shown: between two planes across an axis.
 struct Slice {
-  int axis = -1;  ///< 0 to 2; -1: everything
+  int axis = -1;                     ///< 0 to 2; -1: everything
   double middle = 0, thickness = 0;  ///< [m]
   bool holds(Point x) const {
     if (axis < 0) return true;

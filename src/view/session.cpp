@@ -131,9 +131,10 @@ void Session::Worker::seek(std::size_t frame) {
 
 void Session::Worker::save_scene(const fs::path& file) {
   const LiveRun& run = live("saving a scene");
-  const std::string text = waiting_.empty() ? run.simulation().scene().source
-                                            : load_scene(watched_, overrides_).source;
-  const bool own = !watched_.empty() && fs::weakly_canonical(file) == fs::weakly_canonical(watched_);
+  const std::string text =
+      waiting_.empty() ? run.simulation().scene().source : load_scene(watched_, overrides_).source;
+  const bool own =
+      !watched_.empty() && fs::weakly_canonical(file) == fs::weakly_canonical(watched_);
   write_file(file, text);
   std::error_code ec;
   if (own) saved_ = fs::last_write_time(file, ec);  // not to be loaded again

@@ -20,8 +20,8 @@ class Session {
   ~Session();
   Session(const Session&) = delete;
 
-  /// Opens a scene file or the folder of a finished run, paused at its start. Where that fails, what
-  /// was open stays. A scene is loaded again whenever its file is saved.
+  /// Opens a scene file or the folder of a finished run, paused at its start. Where that fails,
+  /// what was open stays. A scene is loaded again whenever its file is saved.
   void open(const std::filesystem::path& path, const std::vector<Override>& overrides = {});
   /// Opens the scene of a log and repeats its actions.
   void replay(const ActionLog& log);

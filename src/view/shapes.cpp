@@ -197,8 +197,7 @@ Matrix placement_of(const Part& part, const Frame& frame) {
     m[std::size_t(4 * k + 1)] = float(turned.y);
     m[std::size_t(4 * k + 2)] = float(turned.z);
   }
-  const Point moved =
-      Point{s.position[0], s.position[1], s.position[2]} - turn(part.start);
+  const Point moved = Point{s.position[0], s.position[1], s.position[2]} - turn(part.start);
   m[12] = float(moved.x);
   m[13] = float(moved.y);
   m[14] = float(moved.z);

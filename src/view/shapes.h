@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// The surroundings of the fluid as triangles and lines: sides of the domain, walls, bodies, probes.
+/// The surroundings of the fluid as triangles and lines: sides of the domain, walls, bodies,
+/// probes.
 #pragma once
 #include <vector>
 
-#include "mesh/triangle_mesh.h"
 #include "freshet/frame.h"
+#include "mesh/triangle_mesh.h"
 #include "view/camera.h"
 
 namespace freshet::view {
@@ -20,8 +21,8 @@ struct Part {
   std::vector<float> triangles;  ///< position and normal of each corner: six numbers
   std::vector<float> lines;      ///< positions of both ends: three numbers each
   Tint fill{}, edge{};
-  int body = -1;        ///< index of the body that carries it; -1: it is at rest
-  Point start{};        ///< the body's centre of mass at the start
+  int body = -1;  ///< index of the body that carries it; -1: it is at rest
+  Point start{};  ///< the body's centre of mass at the start
 };
 
 /// The parts of a scene that has its defaults.

@@ -30,11 +30,12 @@ struct Snapshot {
   std::shared_ptr<const Scene> scene;  ///< of the frame; null: nothing could be opened
   Frame frame;
 
-  bool finished_run = false;  ///< data files, not a simulation
+  bool finished_run = false;                     ///< data files, not a simulation
   std::size_t frame_index = 0, frame_count = 0;  ///< of a finished run
   std::vector<double> frame_times;               ///< of its frames that were read; NaN: not yet
 
-  std::shared_ptr<const SeriesOverTime> recorded;  ///< observables.csv of a finished run; may be null
+  std::shared_ptr<const SeriesOverTime>
+      recorded;  ///< observables.csv of a finished run; may be null
 
   bool playing = false;
   bool ended = false;   ///< time.end, or the last frame

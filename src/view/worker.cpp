@@ -20,9 +20,7 @@ constexpr int publish_share = 25;
 }  // namespace
 
 Session::Worker::Worker(const Execution& execution)
-    : execution_(execution),
-      newest_(std::make_shared<Snapshot>()),
-      thread_([this] { loop(); }) {}
+    : execution_(execution), newest_(std::make_shared<Snapshot>()), thread_([this] { loop(); }) {}
 
 Session::Worker::~Worker() {
   {

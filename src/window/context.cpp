@@ -36,8 +36,8 @@ std::string reason() {
 /// Latin and Greek letters, and the signs of units.
 void load_font(float scale) {
   ImGuiIO& io = ImGui::GetIO();
-  static const std::array<ImWchar, 13> letters{0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2027, 0x2070,
-                                               0x209f, 0x2190, 0x21ff, 0x2200, 0x22ff, 0};
+  static const std::array<ImWchar, 13> letters{
+      0x20, 0xff, 0x370, 0x3ff, 0x2010, 0x2027, 0x2070, 0x209f, 0x2190, 0x21ff, 0x2200, 0x22ff, 0};
   for (const char* file : {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"}) {
     std::error_code ec;
     if (!std::filesystem::is_regular_file(file, ec)) continue;
@@ -74,8 +74,8 @@ Context::Context(int width, int height, bool visible) {
   }
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(visible ? 1 : 0);
-  const char* missing =
-      draw::load_gl([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
+  const char* missing = draw::load_gl(
+      [](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
   if (missing) {
     glfwDestroyWindow(window_);
     glfwTerminate();

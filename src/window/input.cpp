@@ -45,8 +45,8 @@ void Viewer::handle_input(const draw::Painter::Region& region) {
   if ((dx != 0 || dy != 0) && ImGui::IsAnyMouseDown()) moved_ = true;
   if (ImGui::IsMouseDown(0)) camera_.orbit(dx, dy);
   else if (ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2)) camera_.pan(dx, dy);
-  const double moved = std::hypot(double(io.MousePos.x) - pressed_x_,
-                                  double(io.MousePos.y) - pressed_y_);
+  const double moved =
+      std::hypot(double(io.MousePos.x) - pressed_x_, double(io.MousePos.y) - pressed_y_);
   if (ImGui::IsMouseReleased(0) && moved < click_pixels) click(x, y, aspect);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The keys of the scene, made from the table of keys: what may change while the run goes on changes
-/// at once, the rest at the next restart.
+/// The keys of the scene, made from the table of keys: what may change while the run goes on
+/// changes at once, the rest at the next restart.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -55,8 +55,7 @@ void Viewer::keys_panel() {
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##filter", "find a key", &key_filter_);
   if (!shown_->waiting.empty()) {
-    ImGui::TextWrapped("%s", fmt::format("{} change{} for the next start",
-                                         shown_->waiting.size(),
+    ImGui::TextWrapped("%s", fmt::format("{} change{} for the next start", shown_->waiting.size(),
                                          shown_->waiting.size() == 1 ? " waits" : "s wait")
                                  .c_str());
     if (ImGui::Button("Restart with changes (R)")) session_.restart();
@@ -112,10 +111,10 @@ void Viewer::key_row(const SceneKey& key) {
   const bool mine = edited_key_ == key.path;
   const bool number = key.kind == SceneKey::Kind::number || key.kind == SceneKey::Kind::numbers ||
                       key.kind == SceneKey::Kind::integer;
-  const bool at_once = changed && (key.kind == SceneKey::Kind::boolean ||
-                                   key.kind == SceneKey::Kind::word);
-  const bool dragged = changed && number && key.live &&
-                       ImGui::GetTime() - last_change_ > change_interval;
+  const bool at_once =
+      changed && (key.kind == SceneKey::Kind::boolean || key.kind == SceneKey::Kind::word);
+  const bool dragged =
+      changed && number && key.live && ImGui::GetTime() - last_change_ > change_interval;
   if (mine && (ended || at_once || dragged)) {
     session_.change({key.path, edited_value_});
     last_change_ = ImGui::GetTime();

@@ -170,7 +170,8 @@ void Viewer::particle_panel() {
   const auto D = std::size_t(f.dimension);
   const auto vector = [&](const std::vector<float>& a) {
     std::string text;
-    for (std::size_t d = 0; d < D; ++d) text += fmt::format("{}{:.4g}", d ? ", " : "", a[D * *i + d]);
+    for (std::size_t d = 0; d < D; ++d)
+      text += fmt::format("{}{:.4g}", d ? ", " : "", a[D * *i + d]);
     return text;
   };
   line(fmt::format("id {}", f.id[*i]));

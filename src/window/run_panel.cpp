@@ -90,8 +90,8 @@ void Viewer::progress_line() {
   if (s.finished_run) return;
   const double rate = s.step_seconds > 0 ? s.time_step / s.step_seconds : 0;
   wrapped(fmt::format("{}: {:.1f} ms a step, {} thread{}, {:.2g} x real time",
-                   s.scene->method().name, 1e3 * s.step_seconds, s.threads,
-                   s.threads == 1 ? "" : "s", rate));
+                      s.scene->method().name, 1e3 * s.step_seconds, s.threads,
+                      s.threads == 1 ? "" : "s", rate));
   if (s.ended) line("time.end is reached; change it to go on");
   if (!s.warnings.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1, 0.8f, 0.4f, 1));
@@ -135,7 +135,8 @@ void Viewer::files_panel() {
   if (row("picture (P)", picture_file_, "Save")) picture_wanted_ = picture_file_;
   try {
     if (row("film", film_file_, film_.recording() ? "Stop" : "Record")) {
-      const ImVec2 size = ImGui::GetIO().DisplaySize, scale = ImGui::GetIO().DisplayFramebufferScale;
+      const ImVec2 size = ImGui::GetIO().DisplaySize,
+                   scale = ImGui::GetIO().DisplayFramebufferScale;
       if (film_.recording()) {
         film_.finish();
         note_ = "wrote " + film_.file().string();

@@ -68,7 +68,8 @@ class Loop {
     }
     context_.draw_panels();
     if (options_.measure) context_.finish();
-    if (viewer_.shown().scene) seconds_.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+    if (viewer_.shown().scene)
+      seconds_.push_back(std::chrono::duration<double>(Clock::now() - start).count());
   }
 
  private:

@@ -11,9 +11,7 @@
 namespace freshet::window {
 namespace {
 
-view::Tint tint_of(Color c) {
-  return {float(c.r) / 255, float(c.g) / 255, float(c.b) / 255, 1};
-}
+view::Tint tint_of(Color c) { return {float(c.r) / 255, float(c.g) / 255, float(c.b) / 255, 1}; }
 
 constexpr view::Tint daylight{0.80f, 0.87f, 0.93f, 1};
 
@@ -85,7 +83,7 @@ void Viewer::color_frame() {
   colors_changed_ = false;
   Scene::Picture& picture = coloring_scene_.picture;
   picture.color_by = color_by.value_or(scene_->picture.color_by);
-  picture.color_map = map_ ? std::optional(ColorMap(*map_))
+  picture.color_map = map_       ? std::optional(ColorMap(*map_))
                       : color_by ? std::optional<ColorMap>()
                                  : scene_->picture.color_map;
   picture.color_range.clear();
@@ -101,8 +99,8 @@ void Viewer::color_frame() {
 
 void Viewer::draw(const draw::Painter::Region& region) {
   const bool water = look.style == draw::Style::water && scene_ && scene_->dimension() == 3;
-  look.background = water || !background_of_scene_ || !scene_ ? daylight
-                                                              : tint_of(ground_color(*scene_));
+  look.background =
+      water || !background_of_scene_ || !scene_ ? daylight : tint_of(ground_color(*scene_));
   look.marked.reset();
   if (selected_) look.marked = view::find_id(shown_->frame, *selected_);
   painter_.draw(camera_, look, region);

@@ -17,8 +17,8 @@ struct Options {
   std::vector<Override> overrides;
   Execution execution;
   bool play = false;
-  double pace = 1;                ///< simulated seconds per second at most; 0: no limit
-  int width = 1280, height = 800; ///< of the window [px]
+  double pace = 1;                 ///< simulated seconds per second at most; 0: no limit
+  int width = 1280, height = 800;  ///< of the window [px]
 
   std::filesystem::path screenshot;  ///< *.png; draws once without showing a window, and ends
   std::int64_t steps = 0;            ///< taken, or frames gone on, before the first picture
@@ -34,11 +34,11 @@ struct Result {
   std::string renderer;      ///< of OpenGL
   std::string state_sha256;  ///< empty for a finished run
   std::int64_t steps = 0;
-  double time = 0;               ///< [s]
+  double time = 0;  ///< [s]
   std::size_t particles = 0;
-  std::int64_t pictures = 0;     ///< drawn
-  double picture_seconds = 0;    ///< wall time to draw one, the median
-  double step_seconds = 0;       ///< wall time of a step, a running mean
+  std::int64_t pictures = 0;   ///< drawn
+  double picture_seconds = 0;  ///< wall time to draw one, the median
+  double step_seconds = 0;     ///< wall time of a step, a running mean
 };
 
 /// Shows a window until it is closed. Throws Error (kind run) if there is no display or no OpenGL

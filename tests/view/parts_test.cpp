@@ -23,7 +23,7 @@ Scene box_scene(int dimension) {
 /// Where a camera draws a point: -1 to 1 from the middle to the edges.
 Point drawn(const Camera& camera, double aspect, Point p) {
   const Matrix v = camera.view(), m = camera.projection(aspect);
-  const auto times = [](const Matrix& a, const double (&x)[4], double (&y)[4]) {
+  const auto times = [](const Matrix& a, const double(&x)[4], double(&y)[4]) {
     for (std::size_t r = 0; r < 4; ++r) {
       y[r] = 0;
       for (std::size_t c = 0; c < 4; ++c) y[r] += double(a[4 * c + r]) * x[c];
@@ -159,7 +159,8 @@ TEST(ViewActions, TextOfALogIsReadToTheSameNumbers) {
   log.scene = "/tmp/scene.toml";
   log.overrides = {{"time.end", "2"}, {"air", std::nullopt}};
   log.actions.push_back({3, 0.1, Action::Kind::change, {"domain.gravity", "[0.0, -1.5]"}, {}});
-  log.actions.push_back({4, 0.1 + 1e-17, Action::Kind::push, {}, {{1.0 / 3, 2, 0}, 0.1, {1, 2e-7, 0}}});
+  log.actions.push_back(
+      {4, 0.1 + 1e-17, Action::Kind::push, {}, {{1.0 / 3, 2, 0}, 0.1, {1, 2e-7, 0}}});
   log.actions.push_back({5, 0.3, Action::Kind::push, {}, {{1, 2, 3}, 0, {1.0 / 7, 0, 0}, 2}});
   log.actions.push_back({9, 0.4, Action::Kind::release, {}, {}});
   const ActionLog read = parse_log(log.text(), "x.toml");

@@ -2,82 +2,25 @@
 // The window of `freshet view`, on a display of Xvfb.
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <cstring>
 #include <optional>
-#include <thread>
 
-#include "cli/files.h"
-#include "cli/process.h"
 #include "freshet/simulation.h"
 #include "render/draw.h"
 #include "render/png.h"
-#include "scene/model/picture_layout.h"
+#include "view/display.h"
 
 namespace freshet {
 namespace {
 
 using namespace freshet::test;
 
-constexpr const char* red_block = R"(
-[domain]
-max = [DOMAIN]
-[particles]
-spacing = 0.05
-[fluid]
-shape = "box"
-min = [ORIGIN]
-max = [FLUID]
-color = "#ff2010"
-[solver]
-name = "wcsph"
-[time]
-end = 1.0
-step = 0.0005
-[picture]
-color_by = "liquid"
-)";
-
-std::string red_scene(int dimension) {
-  std::string text = red_block;
-  const auto put = [&](const char* what, const char* value) {
-    text.replace(text.find(what), std::strlen(what), value);
-  };
-  put("DOMAIN", dimension == 2 ? "2.0, 1.0" : "1.6, 1.0, 0.8");
-  put("ORIGIN", dimension == 2 ? "0.0, 0.0" : "0.0, 0.0, 0.0");
-  put("FLUID", dimension == 2 ? "0.8, 0.6" : "0.6, 0.6, 0.5");
-  return text;
-}
-
-bool has_program(const char* name) {
-  return run_process({"sh", "-c", std::string("command -v ") + name}).code == 0;
-}
-
-/// A display without a screen, which the destructor ends.
-class Display {
- public:
-  Display()
-      : server_({"sh", "-c", "exec Xvfb -displayfd 3 -screen 0 1600x1200x24 3>number"},
-                {.directory = folder_.path()}) {
-    for (int k = 0; k < 500 && !name.ends_with("\n"); ++k) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      name = ":" + read_text(folder_ / "number");
-    }
-    name.pop_back();
-  }
-  std::string name;
-
- private:
-  TemporaryFolder folder_;
-  Process server_;
-};
-
 class ViewWindow : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!FRESHET_WINDOW)
-      GTEST_SKIP() << "GLFW and Dear ImGui are not installed (libglfw3-dev, libimgui-dev): there is "
-                      "no window to test";
+      GTEST_SKIP()
+          << "GLFW and Dear ImGui are not installed (libglfw3-dev, libimgui-dev): there is "
+             "no window to test";
     if (!has_program("Xvfb"))
       GTEST_SKIP() << "Xvfb is not installed (xvfb, libgl1-mesa-dri): the window is not tested";
     display_.emplace();
@@ -99,8 +42,6 @@ class ViewWindow : public ::testing::Test {
   TemporaryFolder folder_;
   std::optional<Display> display_;
 };
-
-bool is_red(Color c) { return c.r > 70 && c.r > 2 * c.b; }
 
 /// The number of red pixels of `a` that are farther than 2 px from every red pixel of `b`.
 int pixels_apart(const Image& a, const Image& b) {
@@ -126,8 +67,8 @@ TEST_F(ViewWindow, SilhouetteIsThatOfThePicturesOfARun) {
     for (int k = 0; k < 100; ++k) sim.step();
     const Image picture = draw(sim.scene(), sim.frame());
     const ProcessResult r =
-        view({file, "--steps", "100", "--screenshot", png, "--width",
-              std::to_string(picture.width), "--height", std::to_string(picture.height)});
+        view({file, "--steps", "100", "--screenshot", png, "--width", std::to_string(picture.width),
+              "--height", std::to_string(picture.height)});
     ASSERT_EQ(r.code, 0) << r.err;
     const Image window = decode_png(read_text(png));
     ASSERT_EQ(window.width, picture.width);
@@ -186,7 +127,8 @@ TEST_F(ViewWindow, ErrorsOfASceneEndAScreenshot) {
   write_text(wrong, "[domain]\nmx = [1.0, 1.0]\n");
   const ProcessResult r = view({wrong, "--screenshot", png});
   EXPECT_EQ(r.code, 2);
-  EXPECT_TRUE(contains(r.err, "wrong.toml:2:1: error: unknown key domain.mx; did you mean domain.max?"))
+  EXPECT_TRUE(
+      contains(r.err, "wrong.toml:2:1: error: unknown key domain.mx; did you mean domain.max?"))
       << r.err;
   EXPECT_FALSE(fs::exists(png));
 }
@@ -199,8 +141,8 @@ TEST_F(ViewWindow, ShowsTheErrorsOfASceneInTheWindow) {
 }
 
 TEST_F(ViewWindow, NoDisplayIsAClearMessage) {
-  const ProcessResult r = run_process({"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY",
-                                       FRESHET_PROGRAM, "view", scene(2)});
+  const ProcessResult r = run_process(
+      {"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", FRESHET_PROGRAM, "view", scene(2)});
   EXPECT_EQ(r.code, 1);
   EXPECT_TRUE(contains(r.err, "error: there is no display to open a window on")) << r.err;
   EXPECT_EQ(lines_of(r.err).size(), 1u) << r.err;
@@ -210,13 +152,15 @@ TEST_F(ViewWindow, RepeatsALogAndShowsAFinishedRun) {
   const std::string file = scene(2);
   const fs::path log = folder_ / "actions.toml", run_folder = folder_ / "run",
                  png = folder_ / "frame.png";
-  write_text(log, "scene = \"red2d.toml\"\n[[action]]\nstep = 10\nkey = \"domain.gravity\"\nvalue = "
-                  "\"[3.0, 0.0]\"\n");
+  write_text(log,
+             "scene = \"red2d.toml\"\n[[action]]\nstep = 10\nkey = \"domain.gravity\"\nvalue = "
+             "\"[3.0, 0.0]\"\n");
   Simulation sim(load_scene(file));
   for (int k = 0; k < 10; ++k) sim.step();
   sim.change({{"domain.gravity", "[3.0, 0.0]"}});
   for (int k = 0; k < 10; ++k) sim.step();
-  const ProcessResult again = view({"--replay", log, "--steps", "20", "--pictures", "2", "--report"});
+  const ProcessResult again =
+      view({"--replay", log, "--steps", "20", "--pictures", "2", "--report"});
   EXPECT_EQ(again.code, 0) << again.err;
   EXPECT_TRUE(contains(again.out, sim.state_sha256())) << again.out;
   ASSERT_EQ(test::freshet({"run", file, "--output", run_folder.string(), "--set", "time.end=0.01",

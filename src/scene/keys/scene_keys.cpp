@@ -37,8 +37,7 @@ std::string text_of(const toml::node& node) {
   std::ostringstream out;
   if (const auto* list = node.as_array()) {
     const char* comma = "";
-    for (const toml::node& element : *list)
-      out << std::exchange(comma, ", ") << text_of(element);
+    for (const toml::node& element : *list) out << std::exchange(comma, ", ") << text_of(element);
     return "[" + out.str() + "]";
   }
   node.visit([&](const auto& n) { out << n; });
@@ -110,9 +109,7 @@ class KeyLister final : public KeyVisitor {
   void boolean(std::string_view n, bool& v, const KeyDoc& d) override {
     add(n, Kind::boolean, v ? "true" : "false", d);
   }
-  void counts(std::string_view n, Counts&, const KeyDoc& d) override {
-    add(n, Kind::other, "", d);
-  }
+  void counts(std::string_view n, Counts&, const KeyDoc& d) override { add(n, Kind::other, "", d); }
   void number_or_word(std::string_view n, double&, bool&, const char*, const KeyDoc& d) override {
     add(n, Kind::other, "", d);
   }
