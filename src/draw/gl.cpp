@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "draw/gl.h"
 
-namespace freshet::draw {
+namespace freshet::gl {
 
 #ifdef __EMSCRIPTEN__
 const char* load_gl(void* (*)(const char*)) { return nullptr; }
@@ -20,4 +20,4 @@ const char* load_gl(void* (*find)(const char* name)) {
 }
 #endif
 
-}  // namespace freshet::draw
+}  // namespace freshet::gl

@@ -63,7 +63,7 @@
   F(VertexAttribPointer, VERTEXATTRIBPOINTER)         \
   F(Viewport, VIEWPORT)
 
-namespace freshet::draw {
+namespace freshet::gl {
 
 #ifndef __EMSCRIPTEN__
 // Within this namespace, so that they are not taken for the symbols of the system's library.
@@ -76,4 +76,4 @@ FRESHET_GL_FUNCTIONS(FRESHET_GL_DECLARE)
 /// or null.
 const char* load_gl(void* (*find)(const char* name));
 
-}  // namespace freshet::draw
+}  // namespace freshet::gl

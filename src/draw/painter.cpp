@@ -10,7 +10,7 @@
 #include "render/floor.h"
 #include "render/foam.h"
 
-namespace freshet::draw {
+namespace freshet::gl {
 namespace {
 
 constexpr int map_size = 256;
@@ -235,4 +235,4 @@ void Painter::draw(const view::Camera& camera, const Look& look, const Region& r
   draw_foam(s, look, water);
 }
 
-}  // namespace freshet::draw
+}  // namespace freshet::gl

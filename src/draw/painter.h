@@ -9,7 +9,7 @@
 #include "render/color.h"
 #include "view/pick.h"
 
-namespace freshet::draw {
+namespace freshet::gl {
 
 enum class Style { balls, water };
 
@@ -68,4 +68,4 @@ class Painter {
   std::unique_ptr<Water> water_;  // made when it is needed
 };
 
-}  // namespace freshet::draw
+}  // namespace freshet::gl

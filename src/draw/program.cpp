@@ -5,7 +5,7 @@
 
 #include "freshet/error.h"
 
-namespace freshet::draw {
+namespace freshet::gl {
 namespace {
 
 [[noreturn]] void fail(const std::string& what, const std::string& why) {
@@ -149,4 +149,4 @@ void Target::bind() const {
   glViewport(0, 0, width_, height_);
 }
 
-}  // namespace freshet::draw
+}  // namespace freshet::gl

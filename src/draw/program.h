@@ -9,7 +9,7 @@
 #include "view/camera.h"
 #include "view/shapes.h"
 
-namespace freshet::draw {
+namespace freshet::gl {
 
 /// The first lines of every shader: OpenGL 3.3, or OpenGL ES 3.0 and WebGL 2.
 std::string_view shader_prefix();
@@ -86,4 +86,4 @@ class Target {
   int width_ = 0, height_ = 0;
 };
 
-}  // namespace freshet::draw
+}  // namespace freshet::gl

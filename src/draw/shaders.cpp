@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "draw/shaders.h"
 
-namespace freshet::draw {
+namespace freshet::gl {
 
 // A particle is a point whose square covers its ball; `at` holds its position and its place in the
 // colour map. Particles outside of the slice are moved out of sight.
@@ -295,4 +295,4 @@ void main() {
 }
 )"};
 
-}  // namespace freshet::draw
+}  // namespace freshet::gl

@@ -2,7 +2,7 @@
 /// The shaders, without their first lines. They compile as GLSL 3.30 and as GLSL ES 3.00.
 #pragma once
 
-namespace freshet::draw {
+namespace freshet::gl {
 
 struct ShaderSource {
   const char *vertex, *fragment;
@@ -19,4 +19,4 @@ extern const ShaderSource smooth_shader;     ///< one pass of the narrow-range f
 extern const ShaderSource water_shader;      ///< the liquid from both
 extern const ShaderSource copy_shader;       ///< colours and depths of another target
 
-}  // namespace freshet::draw
+}  // namespace freshet::gl

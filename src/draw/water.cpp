@@ -5,7 +5,7 @@
 
 #include "draw/shaders.h"
 
-namespace freshet::draw {
+namespace freshet::gl {
 namespace {
 
 Program program(const char* name, const ShaderSource& s) { return {name, s.vertex, s.fragment}; }
@@ -107,4 +107,4 @@ void Water::draw(const Vertices& balls, const Shape& s, const Painter::Region& r
   glActiveTexture(GL_TEXTURE0);
 }
 
-}  // namespace freshet::draw
+}  // namespace freshet::gl

@@ -2,7 +2,7 @@
 #pragma once
 #include "draw/painter.h"
 
-namespace freshet::draw {
+namespace freshet::gl {
 
 /// The liquid as a surface in the space of the screen: the distance of the nearest ball, smoothed,
 /// gives normals; the balls' thickness gives absorption.
@@ -34,4 +34,4 @@ class Water {
   Target behind_, near_, turned_, thick_;
 };
 
-}  // namespace freshet::draw
+}  // namespace freshet::gl

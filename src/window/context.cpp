@@ -74,7 +74,7 @@ Context::Context(int width, int height, bool visible) {
   }
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(visible ? 1 : 0);
-  const char* missing = draw::load_gl(
+  const char* missing = gl::load_gl(
       [](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
   if (missing) {
     glfwDestroyWindow(window_);
@@ -94,7 +94,7 @@ Context::Context(int width, int height, bool visible) {
   style_panels(scale);
   load_font(scale);
   ImGui_ImplGlfw_InitForOpenGL(window_, true);
-  ImGui_ImplOpenGL3_Init(std::string(draw::shader_prefix()).c_str());
+  ImGui_ImplOpenGL3_Init(std::string(gl::shader_prefix()).c_str());
 }
 
 Context::~Context() {
@@ -135,10 +135,10 @@ void Context::draw_panels() {
 
 void Context::swap() { glfwSwapBuffers(window_); }
 
-void Context::finish() const { draw::glFinish(); }
+void Context::finish() const { gl::glFinish(); }
 
 Image Context::read(int left) const {
-  using namespace draw;
+  using namespace gl;
   const int width = width_ - left;
   Image image(width, height_, {0, 0, 0});
   const auto w = std::size_t(width);
@@ -155,7 +155,7 @@ Image Context::read(int left) const {
 }
 
 std::string Context::renderer() const {
-  const auto* name = draw::glGetString(GL_RENDERER);
+  const auto* name = gl::glGetString(GL_RENDERER);
   return name ? reinterpret_cast<const char*>(name) : "";
 }
 

@@ -20,7 +20,7 @@ bool pressed(int key) { return ImGui::IsKeyPressed(key, false); }
 
 }  // namespace
 
-void Viewer::handle_input(const draw::Painter::Region& region) {
+void Viewer::handle_input(const gl::Painter::Region& region) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!io.WantCaptureKeyboard) handle_keys();
   if (!scene_) return;
@@ -58,7 +58,7 @@ void Viewer::handle_keys() {
   if (pressed(GLFW_KEY_R)) session_.restart();
   if (pressed(GLFW_KEY_F)) fit();
   if (pressed(GLFW_KEY_W))
-    look.style = look.style == draw::Style::water ? draw::Style::balls : draw::Style::water;
+    look.style = look.style == gl::Style::water ? gl::Style::balls : gl::Style::water;
   if (pressed(GLFW_KEY_P)) picture_wanted_ = picture_file_;
   if (pressed(GLFW_KEY_H)) panels = !panels;
   if (pressed(GLFW_KEY_ESCAPE)) selected_.reset();

@@ -38,13 +38,11 @@ void Viewer::look_panel() {
     ImGui::RadioButton("balls", &style, 0);
     ImGui::SameLine();
     ImGui::RadioButton("water", &style, 1);
-    look.style = draw::Style(style);
+    look.style = gl::Style(style);
   }
-  int by = color_by ? int(*color_by) : -1;
-  if (choose("colour", by, color_by_words, "of the scene")) {
-    color_by = by < 0 ? std::optional<ColorBy>() : ColorBy(by);
-    colors_changed_ = true;
-  }
+  int by = color_by_ ? int(*color_by_) : -1;
+  if (choose("colour", by, color_by_words, "of the scene"))
+    choose_color(by < 0 ? std::optional<ColorBy>() : ColorBy(by));
   int map = map_.value_or(-1);
   if (choose("colour map", map, color_map_words, "of the field")) {
     map_ = map < 0 ? std::optional<int>() : map;

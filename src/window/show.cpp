@@ -26,9 +26,9 @@ void open(view::Session& session, const Options& o) {
 
 void set_look(Viewer& viewer, const Options& o) {
   if (!o.screenshot.empty()) viewer.look.water_detail = 1;
-  if (o.water) viewer.look.style = draw::Style::water;
+  if (o.water) viewer.look.style = gl::Style::water;
   for (std::size_t k = 0; k < std::size(color_by_words); ++k)
-    if (o.color_by == color_by_words[k]) viewer.color_by = ColorBy(k);
+    if (o.color_by == color_by_words[k]) viewer.choose_color(ColorBy(k));
 }
 
 double median(std::vector<double> values) {
@@ -49,13 +49,15 @@ class Loop {
   Context& context() { return context_; }
   Viewer& viewer() { return viewer_; }
   const std::vector<double>& seconds() const { return seconds_; }
+  /// Whether the last picture was the first of its snapshot.
+  bool fresh() const { return fresh_; }
 
   /// One picture. `panels`: with what lies over it.
   void draw_picture(bool panels) {
     const auto start = Clock::now();
     context_.begin_picture();
     const auto region = viewer_.region(context_.width(), context_.height());
-    viewer_.update(region);
+    fresh_ = viewer_.update(region);
     if (!look_set_) set_look(viewer_, options_);
     look_set_ = true;
     viewer_.handle_input(region);
@@ -92,7 +94,7 @@ class Loop {
   Context context_;
   Viewer viewer_;
   std::vector<double> seconds_;
-  bool look_set_ = false;
+  bool look_set_ = false, fresh_ = true;
 };
 
 Result result_of(view::Session& session, Loop& loop) {
@@ -142,7 +144,8 @@ Result show(const Options& o) {
       loop.context().poll(0.2);
       continue;
     }
-    loop.context().poll(0);
+    // at rest, and between snapshots, the processor belongs to the simulation
+    loop.context().poll(loop.fresh() ? 0 : loop.viewer().shown().playing ? 0.01 : 0.05);
     for (const auto& path : loop.context().take_dropped()) session.open(path);
     loop.draw_picture(true);
     loop.context().swap();

@@ -21,7 +21,7 @@ Viewer::Viewer(view::Session& session, bool software) : session_(session) {
   look.water_detail = software ? 2 : 1;
 }
 
-draw::Painter::Region Viewer::region(int width, int height) const {
+gl::Painter::Region Viewer::region(int width, int height) const {
   const ImGuiIO& io = ImGui::GetIO();
   const float left = panels ? panel_width_ * io.DisplayFramebufferScale.x : 0;
   const int from = std::clamp(int(left), 0, std::max(0, width - 64));
@@ -33,7 +33,7 @@ void Viewer::fit() {
   if (scene_) camera_ = view::Camera::of(*scene_, shown_->frame.time, aspect_);
 }
 
-bool Viewer::update(const draw::Painter::Region& region) {
+bool Viewer::update(const gl::Painter::Region& region) {
   if (region.aspect() != aspect_) {
     aspect_ = region.aspect();
     if (!moved_) fit();
@@ -64,11 +64,11 @@ void Viewer::show_scene() {
   coloring_scene_ = *scene_;
   keys_ = shown_->finished_run ? std::vector<SceneKey>() : keys_of(*scene_);
   if (name_ == shown_->name) return;
+  if (!name_.empty()) color_by_.reset();
   name_ = shown_->name;
   fit();
   selected_.reset();
   look.slice = {};
-  color_by.reset();
   const Vector &low = scene_->domain.min, &high = scene_->domain.max;
   double size = 0;
   for (std::size_t d = 0; d < high.size(); ++d) size = std::max(size, high[d] - low[d]);
@@ -82,14 +82,14 @@ void Viewer::show_scene() {
 void Viewer::color_frame() {
   colors_changed_ = false;
   Scene::Picture& picture = coloring_scene_.picture;
-  picture.color_by = color_by.value_or(scene_->picture.color_by);
-  picture.color_map = map_       ? std::optional(ColorMap(*map_))
-                      : color_by ? std::optional<ColorMap>()
-                                 : scene_->picture.color_map;
+  picture.color_by = color_by_.value_or(scene_->picture.color_by);
+  picture.color_map = map_        ? std::optional(ColorMap(*map_))
+                      : color_by_ ? std::optional<ColorMap>()
+                                  : scene_->picture.color_map;
   picture.color_range.clear();
   if (fixed_range_ && range_[1] > range_[0])
     picture.color_range = {double(range_[0]), double(range_[1])};
-  else if (!color_by) picture.color_range = scene_->picture.color_range;
+  else if (!color_by_) picture.color_range = scene_->picture.color_range;
   if (ranges_run_ != shown_->run) ranges_ = {};
   ranges_run_ = shown_->run;
   include(ranges_, percentiles_of(*scene_, shown_->frame));
@@ -97,8 +97,8 @@ void Viewer::color_frame() {
   painter_.set_frame(shown_->frame, coloring_);
 }
 
-void Viewer::draw(const draw::Painter::Region& region) {
-  const bool water = look.style == draw::Style::water && scene_ && scene_->dimension() == 3;
+void Viewer::draw(const gl::Painter::Region& region) {
+  const bool water = look.style == gl::Style::water && scene_ && scene_->dimension() == 3;
   look.background =
       water || !background_of_scene_ || !scene_ ? daylight : tint_of(ground_color(*scene_));
   look.marked.reset();
@@ -108,7 +108,7 @@ void Viewer::draw(const draw::Painter::Region& region) {
 
 void Viewer::draw_color_bar() {
   if (!scene_ || shown_->frame.size() == 0 ||
-      (look.style == draw::Style::water && scene_->dimension() == 3))
+      (look.style == gl::Style::water && scene_->dimension() == 3))
     return;
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   const ImVec2 size = ImGui::GetIO().DisplaySize;

@@ -27,14 +27,14 @@ class Viewer {
   Viewer(view::Session& session, bool software);
 
   /// The part of a window of this size that the panels leave [px].
-  draw::Painter::Region region(int width, int height) const;
+  gl::Painter::Region region(int width, int height) const;
   /// Takes the newest snapshot; true if it is another than before.
-  bool update(const draw::Painter::Region& region);
+  bool update(const gl::Painter::Region& region);
   /// Handles the mouse and the keys that the panels do not take.
-  void handle_input(const draw::Painter::Region& region);
+  void handle_input(const gl::Painter::Region& region);
   void draw_panels();
   void draw_color_bar();
-  void draw(const draw::Painter::Region& region);
+  void draw(const gl::Painter::Region& region);
   /// Whether the present picture is one of a film.
   bool wants_record() const { return film_.wants(shown_->frame.time); }
   /// Adds a picture to the film, if one is recorded.
@@ -47,8 +47,12 @@ class Viewer {
   void note(std::string words) { note_ = std::move(words); }
   void complain(const Error& error);
 
-  draw::Look look;
-  std::optional<ColorBy> color_by;  ///< the scene's if empty
+  gl::Look look;
+  /// The field that colours show; the scene's if empty.
+  void choose_color(std::optional<ColorBy> by) {
+    color_by_ = by;
+    colors_changed_ = true;
+  }
   bool panels = true;
   bool closing = false;
 
@@ -82,13 +86,14 @@ class Viewer {
   void click(double x, double y, double aspect);
 
   view::Session& session_;
-  draw::Painter painter_;
+  gl::Painter painter_;
   std::shared_ptr<const view::Snapshot> shown_;
   std::shared_ptr<const Scene> scene_;  // of the painter
   Scene coloring_scene_;                // with the colours that are chosen
   std::string name_;
   view::Camera camera_;
   view::History history_;
+  std::optional<ColorBy> color_by_;
   ColorRanges ranges_;
   std::uint64_t ranges_run_ = 0;
   Coloring coloring_;

@@ -52,9 +52,10 @@ inline bool has_program(const char* name) {
 /// A display without a screen, which the destructor ends.
 class Display {
  public:
-  Display()
-      : server_({"sh", "-c", "exec Xvfb -displayfd 3 -screen 0 1600x1200x24 3>number"},
-                {.directory = folder_.path()}) {
+  explicit Display(const std::string& options = "")
+      : server_(
+            {"sh", "-c", "exec Xvfb -displayfd 3 -screen 0 1600x1200x24 " + options + " 3>number"},
+            {.directory = folder_.path()}) {
     for (int k = 0; k < 500 && !name.ends_with("\n"); ++k) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       name = ":" + read_text(folder_ / "number");

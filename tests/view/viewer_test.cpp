@@ -50,6 +50,7 @@ class ViewInWindow : public ::testing::Test {
     ImGuiIO& io = ImGui::GetIO();
     io.WantCaptureMouse = io.WantCaptureKeyboard = false;
     io.MousePos = {float(context_->width()) / 2, float(context_->height()) / 2};
+    io.MouseDelta = {0, 0};
     if (input) input(io);
     const auto region = viewer_->region(context_->width(), context_->height());
     viewer_->update(region);
@@ -118,7 +119,8 @@ TEST_F(ViewInWindow, ClickFindsAParticleAndEscapeLosesIt) {
   const ImVec2 at = middle_of_red(picture());
   picture([&](ImGuiIO& io) {
     io.MousePos = at;
-    io.MouseClicked[0] = io.MouseDown[0] = true;
+    io.MouseDown[0] = true;
+    io.MouseDownDuration[0] = 0;  // pressed within this picture
   });
   picture([&](ImGuiIO& io) {
     io.MousePos = at;
@@ -140,8 +142,9 @@ TEST_F(ViewInWindow, ShiftAndDragPushTheLiquid) {
     picture([&](ImGuiIO& io) {
       io.MousePos = {at.x + dx, at.y};
       io.KeyShift = true;
+      io.KeyMods = ImGuiKeyModFlags_Shift;
       io.MouseDown[0] = true;
-      io.MouseClicked[0] = first;
+      io.MouseDownDuration[0] = first ? 0.0f : 0.1f;
       io.DeltaTime = 0.02f;
     });
   };
@@ -192,12 +195,7 @@ TEST_F(ViewInWindow, SliceShowsLessAndFieldsHaveOtherColors) {
   const int cut = count_red(picture());
   EXPECT_LT(cut, all);
   EXPECT_GT(cut, all / 20);
-  session_.step(3);
-  session_.wait();
-  viewer_->color_by = ColorBy::pressure;
-  picture();
-  session_.step();
-  session_.wait();
+  viewer_->choose_color(ColorBy::pressure);
   EXPECT_LT(count_red(picture()), cut / 4);
 }
 

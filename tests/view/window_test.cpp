@@ -148,6 +148,15 @@ TEST_F(ViewWindow, NoDisplayIsAClearMessage) {
   EXPECT_EQ(lines_of(r.err).size(), 1u) << r.err;
 }
 
+TEST_F(ViewWindow, DisplayWithoutOpenGLIsAClearMessage) {
+  const Display plain("-extension GLX");
+  const ProcessResult r =
+      test::freshet({"view", scene(2)}, {.environment = {"DISPLAY=" + plain.name}, .seconds = 20});
+  EXPECT_EQ(r.code, 1);
+  EXPECT_TRUE(contains(r.err, "error: there is no OpenGL 3.3 to draw with")) << r.err;
+  EXPECT_EQ(lines_of(r.err).size(), 1u) << r.err;
+}
+
 TEST_F(ViewWindow, RepeatsALogAndShowsAFinishedRun) {
   const std::string file = scene(2);
   const fs::path log = folder_ / "actions.toml", run_folder = folder_ / "run",
