@@ -15,6 +15,7 @@ namespace {
 
 constexpr double follow_seconds = 0.12;  // how fast the push fades when the mouse rests
 constexpr double click_pixels = 4;
+constexpr double pick_radius = 0.75;  // [spacings]: also between the particles of a lattice
 
 bool pressed(int key) { return ImGui::IsKeyPressed(key, false); }
 
@@ -66,8 +67,9 @@ void Viewer::handle_keys() {
 }
 
 void Viewer::click(double x, double y, double aspect) {
-  const auto hit = view::pick(shown_->frame, camera_.ray(x, y, aspect),
-                              0.6 * double(look.size) * scene_->particles.spacing, look.slice);
+  const auto hit = view::pick(
+      shown_->frame, camera_.ray(x, y, aspect),
+      pick_radius * std::max(1.0, double(look.size)) * scene_->particles.spacing, look.slice);
   selected_.reset();
   if (!hit) return;
   selected_ = shown_->frame.id[*hit];
