@@ -49,12 +49,19 @@ class Loop {
   Context& context() { return context_; }
   Viewer& viewer() { return viewer_; }
   const std::vector<double>& seconds() const { return seconds_; }
-  /// Whether the last picture was the first of its snapshot.
-  bool fresh() const { return fresh_; }
+  /// How long to wait for the mouse and the keys before the next picture [s]. At rest, between
+  /// snapshots and after 30 pictures a second by software, the processor belongs to the simulation.
+  double rest() const {
+    if (seconds_.empty()) return 0;
+    const double since = std::chrono::duration<double>(Clock::now() - begun_).count();
+    const double by_software = software_ ? std::max(0.0, 1.0 / 30 - since) : 0;
+    const double idle = fresh_ ? 0 : viewer_.shown().playing ? 0.01 : 0.05;
+    return std::max(by_software, idle);
+  }
 
   /// One picture. `panels`: with what lies over it.
   void draw_picture(bool panels) {
-    const auto start = Clock::now();
+    const auto start = begun_ = Clock::now();
     context_.begin_picture();
     const auto region = viewer_.region(context_.width(), context_.height());
     fresh_ = viewer_.update(region);
@@ -94,7 +101,8 @@ class Loop {
   Context context_;
   Viewer viewer_;
   std::vector<double> seconds_;
-  bool look_set_ = false, fresh_ = true;
+  Clock::time_point begun_{};  // of the last picture
+  bool look_set_ = false, fresh_ = true, software_ = context_.is_software();
 };
 
 Result result_of(view::Session& session, Loop& loop) {
@@ -144,8 +152,7 @@ Result show(const Options& o) {
       loop.context().poll(0.2);
       continue;
     }
-    // at rest, and between snapshots, the processor belongs to the simulation
-    loop.context().poll(loop.fresh() ? 0 : loop.viewer().shown().playing ? 0.01 : 0.05);
+    loop.context().poll(loop.rest());
     for (const auto& path : loop.context().take_dropped()) session.open(path);
     loop.draw_picture(true);
     loop.context().swap();
