@@ -57,11 +57,11 @@ const std::vector<VerbTiming>& Simulation::timings() const { return impl_->engin
 void Simulation::set_force(Force force) {
   Impl& i = *impl_;
   i.health->note_intervention();
-  if (!force) return i.engine().set_force({});
-  i.engine().set_force(
-      [impl = impl_.get(), force = std::move(force)](double time, std::span<double> acceleration) {
-        force(impl->fluid(), time, acceleration);
-      });
+  i.force = std::move(force);
+  if (!i.force) return i.engine().set_force({});
+  i.engine().set_force([impl = impl_.get()](double time, std::span<double> acceleration) {
+    impl->force(impl->fluid(), time, acceleration);
+  });
 }
 
 void Simulation::set_gravity(const Vector& gravity) {
@@ -72,6 +72,7 @@ void Simulation::set_gravity(const Vector& gravity) {
     throw Error(Error::Kind::scene, "gravity",
                 fmt::format("gravity must have {} finite numbers", i.scene.dimension()));
   i.health->note_intervention();
+  i.gravity = gravity;
   i.scene.domain.gravity = gravity;  // bodies read it there
   Triple g{};
   std::copy(gravity.begin(), gravity.end(), g.begin());
