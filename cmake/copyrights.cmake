@@ -12,6 +12,7 @@ foreach(file ${files})
     list(APPEND packages ${owner})
   endforeach()
 endforeach()
+list(APPEND packages libimgui-dev libstb-dev)  # in the window, linked statically
 list(REMOVE_DUPLICATES packages)
 foreach(package ${packages})
   if(EXISTS /usr/share/doc/${package}/copyright)

@@ -4,6 +4,9 @@
 set(FRESHET_FLAGS_sse42 -march=x86-64-v2)
 set(FRESHET_FLAGS_avx2 -march=x86-64-v3)
 set(FRESHET_FLAGS_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
+if(EMSCRIPTEN)  # the intrinsics of SSE4.2, by the SIMD instructions of WebAssembly
+  set(FRESHET_FLAGS_sse42 -msimd128 -msse4.2)
+endif()
 set(every_isa avx512 avx2 sse42)
 
 function(best_isa result)
@@ -30,7 +33,9 @@ int main() {
   set(${result} ${isa} PARENT_SCOPE)
 endfunction()
 
-if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND NOT FRESHET_DOUBLE)
+if(EMSCRIPTEN)
+  set(FRESHET_ISAS "sse42")
+elseif(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND NOT FRESHET_DOUBLE)
   if(NOT DEFINED FRESHET_ISAS)
     best_isa(best)
   endif()

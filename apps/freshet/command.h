@@ -50,6 +50,7 @@ void add_render(Program& program);
 void add_measure(Program& program);
 void add_surface(Program& program);
 void add_film(Program& program);
+void add_view(Program& program);
 void add_new(Program& program);
 void add_check(Program& program);
 void add_info(Program& program);

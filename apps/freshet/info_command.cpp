@@ -92,7 +92,7 @@ std::string percent(double share) { return fmt::format("{:.4g} %", 100 * share);
 std::string tolerance_row(const Scene& s, const Derived& d) {
   const std::string divergence =
       s.method().reads("solver.divergence_tolerance")
-          ? fmt::format(", of divergence {} in a step", percent(s.solver.divergence_tolerance))
+          ? fmt::format(", of divergence {} in a step", percent(d.divergence_tolerance))
           : "";
   return fmt::format("of density {}{}; {} to {} iterations a solve", percent(d.density_tolerance),
                      divergence, s.solver.min_iterations, s.solver.max_iterations);

@@ -27,6 +27,7 @@ int run_program(int argc, char** argv) {
   add_measure(program);
   add_surface(program);
   add_film(program);
+  add_view(program);
   add_new(program);
   add_check(program);
   add_info(program);

@@ -63,6 +63,7 @@ struct Derived {
   double flow_step;          ///< 0.4 h/max|v| at the start; infinity unless a pressure solver runs
   double capillary_step;     ///< 0.25 √(ρ0 h³/2πσ); infinity without surface tension
   double density_tolerance;  ///< of the pressure solve, a fraction; 0 without a pressure solve
+  double divergence_tolerance;  ///< of the divergence solve, a fraction of a step
 
   /// The maximum number of whitewater particles of a scene that has [whitewater].
   double whitewater(const Scene& scene) const {

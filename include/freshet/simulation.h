@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -60,6 +62,20 @@ class Simulation {
   /// Changes gravity from the next step on, one number per dimension [m/s²]. Throws Error (kind
   /// scene) for another count or for infinity and NaN. Checkpoints do not hold it.
   void set_gravity(const Vector& gravity);
+  /// Changes keys of the scene between steps and keeps the state: gravity, viscosities, stiffness,
+  /// the speed of an inlet and others of may_change_while_running(). The steps that follow have the
+  /// bits of a simulation of the changed scene that resumes from this state, so a run repeats if
+  /// its changes are repeated at the same steps. Observers and the caller's forces stay; views of
+  /// the fluid become invalid. Layers of an inlet keep their places when its speed changes. Throws
+  /// Error (kind scene), and changes nothing, for another key, an invalid scene, a change that
+  /// alters the number of liquids, or a scene made in code.
+  void change(const std::vector<Override>& overrides);
+  /// Pulls a free body from the next step on, until the next call: a force [N; N/m in 2D] and a
+  /// torque about its centre of mass [N m; N m/m in 2D], added to gravity. In 2D the force has two
+  /// components and the torque one, about z. Checkpoints do not hold it. Throws Error (kind scene)
+  /// for an index without a free body or for infinity and NaN.
+  void push_body(std::size_t body, const std::array<double, 3>& force,
+                 const std::array<double, 3>& torque = {});
   /// Positions [m], velocities [m/s] and liquids (numbers of Scene::liquids(); empty for one) of
   /// the fluid, to be written between steps, in the order of fluid(), which stays valid. Valid
   /// until the next step.

@@ -104,6 +104,7 @@ Bodies::Bodies(const Scene& s) : impl_(std::make_unique<Impl>(s)) {
     states_.push_back(state);
   }
   last_forces_.resize(states_.size());
+  pushes_.resize(states_.size());
   for (std::size_t k = 0; k < size(); ++k) states_[k] = placed(k, 0);
 }
 Bodies::~Bodies() = default;
@@ -186,15 +187,15 @@ std::array<SixNumbers, 6> Bodies::mobility(std::size_t k) const {
 }
 
 SixNumbers Bodies::pull(std::size_t k, double time) const {
-  SixNumbers load{};
-  if (impl_->scene.body[k].motion != BodyMotion::free) return load;
+  if (impl_->scene.body[k].motion != BodyMotion::free) return {};
+  SixNumbers load = pushes_[k];
   double b[3] = {};
   if (!impl_->body_force.empty()) {
     const auto& p = states_[k].position;
     impl_->body_force({p[0], p[1], p[2]}, time, b);
   }
   for (std::size_t d = 0; d < impl_->scene.domain.gravity.size(); ++d)
-    load[d] = impl_->shapes[k].mass * (impl_->scene.domain.gravity[d] + b[d]);
+    load[d] += impl_->shapes[k].mass * (impl_->scene.domain.gravity[d] + b[d]);
   return load;
 }
 

@@ -40,7 +40,10 @@ class Bodies {
   /// The inverse mass matrix: the change of a body's motion by an impulse [1/kg, 1/(kg m²);
   /// times m in 2D]; zero if the body is not free. One with a hinge to the world turns about it only.
   std::array<SixNumbers, 6> mobility(std::size_t k) const;
-  /// Gravity and body force on a free body [N, N m; per m in 2D]; zeros for other bodies.
+  /// A further load on a free body until the next call [N, N m; per m in 2D]. No part of the state.
+  void push(std::size_t k, const SixNumbers& load) { pushes_[k] = load; }
+  const std::vector<SixNumbers>& pushes() const { return pushes_; }
+  /// Gravity, body force and push on a free body [N, N m; per m in 2D]; zeros for other bodies.
   SixNumbers pull(std::size_t k, double time) const;
   /// Moves all bodies from `time` to `time` + dt [s] by the fluid's forces [N, N m; per m in 2D].
   void step(double time, double dt, std::span<const SixNumbers> forces);
@@ -58,7 +61,7 @@ class Bodies {
   BodyState placed(std::size_t k, double time) const;
 
   std::vector<BodyState> states_, saved_states_;
-  std::vector<SixNumbers> last_forces_, saved_forces_;
+  std::vector<SixNumbers> last_forces_, saved_forces_, pushes_;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -7,6 +7,13 @@
 #include <string_view>
 #include <system_error>
 
+#if defined(__EMSCRIPTEN__)
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <string>
+#endif
+
 namespace freshet {
 
 /// The names of the axes in column names.
@@ -27,12 +34,34 @@ inline std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
 }
 
+#if defined(__EMSCRIPTEN__)
+/// Reads a floating-point number as std::from_chars does, which libc++ 14 lacks: the place where it
+/// ends, or `begin` if there is none. The program has the C locale.
+inline const char* read_double(const char* begin, const char* end, double& value) {
+  const std::string text(begin, end);  // with a zero at its end
+  if (text.empty() || text[0] == '+' || std::isspace(static_cast<unsigned char>(text[0])) ||
+      text.find_first_of("xX") != std::string::npos)
+    return begin;
+  char* stop = nullptr;
+  errno = 0;
+  const double read = std::strtod(text.c_str(), &stop);
+  if (stop == text.c_str() || errno == ERANGE) return begin;
+  value = read;
+  return begin + (stop - text.c_str());
+}
+#else
+inline const char* read_double(const char* begin, const char* end, double& value) {
+  const auto [stop, ec] = std::from_chars(begin, end, value);
+  return ec == std::errc() ? stop : begin;
+}
+#endif
+
 /// The whole text as a number; empty if it is not a number.
 inline std::optional<double> number_in(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
-  const auto [end, ec] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (ec != std::errc() || end != text.data() + text.size() || text.empty()) return {};
+  const char* const end = text.data() + text.size();
+  if (text.empty() || read_double(text.data(), end, value) != end) return {};
   return value;
 }
 

@@ -9,12 +9,29 @@ namespace freshet {
 InletClock::InletClock(InletPlan plan)
     : plan_(std::move(plan)), crossings_(std::size_t(plan_.layers) + 2) {}
 
+/// The crossing of a layer at constant speed: 1e-9 periods early, so that rounding does not delay
+/// one at the end of a step [s].
+double InletClock::scheduled(std::uint64_t layer) const {
+  return plan_.start + (double(layer) + 0.5 - 1e-9) * (plan_.spacing / plan_.speed);
+}
+
+/// The crossing of the next layer [s]. After a change of the speed, it follows the last one.
+double InletClock::due() const {
+  if (state.born == 0) return scheduled(0);
+  const double last = crossings_[(state.born - 1) % crossings_.size()];
+  return last == scheduled(state.born - 1) ? scheduled(state.born)
+                                           : last + plan_.spacing / plan_.speed;
+}
+
+double InletClock::overdue(double time) const {
+  return (std::min(time, plan_.stop) - due()) * plan_.speed / plan_.spacing;
+}
+
 /// Whether another layer is due by `time`, and when it crosses the opening [s].
 bool InletClock::next(double time, double dt, double& crossing) const {
   if (time < plan_.start) return false;
   const double period = plan_.spacing / plan_.speed, hair = 1e-9 * plan_.spacing;
-  // 1e-9 periods early, so that rounding does not delay a crossing at the end of a step
-  crossing = plan_.start + (double(state.born) + 0.5 - 1e-9) * period;
+  crossing = due();
   const bool at_start = state.born < std::uint64_t(plan_.layers);
   if (plan_.outlet >= 0 && !at_start) {
     if (state.waiting < plan_.particles()) return false;

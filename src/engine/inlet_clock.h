@@ -43,6 +43,8 @@ class InletClock {
     std::uint64_t number;
     double crossing;  ///< time at which it crosses the opening [s]
   };
+  /// The number of layers that are not created although they have crossed the opening by `time`.
+  double overdue(double time) const;
   /// Advances to `time`, dt after the last call [s].
   void advance(double time, double dt);
   /// The layers that the last advance() created.
@@ -51,6 +53,8 @@ class InletClock {
   State state;
 
  private:
+  double scheduled(std::uint64_t layer) const;
+  double due() const;
   bool next(double time, double dt, double& crossing) const;
 
   InletPlan plan_;

@@ -118,6 +118,7 @@ IncompressibleParameters<D> parameters_of(const EnginePlan& p, IncompressiblePar
   c.confine = confinement<D>(p);
   c.warm_start = p.warm_start;
   c.accelerated = p.accelerated;
+  c.moves_only = p.moves_only;
   c.density = p.density;
   c.divergence = p.divergence;
   return c;

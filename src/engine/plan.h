@@ -124,7 +124,7 @@ struct EnginePlan {
   double own_viscosity = 0;  ///< maximum kinematic viscosity that a pressure solver sums itself
   double xsph = 0;
   double lattice_response = 0, lattice_stiffness = 0;  ///< kernels/lattice_sum.h
-  bool warm_start = false, accelerated = false;
+  bool warm_start = false, accelerated = false, moves_only = false;
   Iterations density{}, divergence{};
 
   // Domain

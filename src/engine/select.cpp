@@ -14,18 +14,26 @@ inline namespace FRESHET_ISA {
 template <int D> std::unique_ptr<Engine> make_reference_engine(const EnginePlan& plan);
 }
 
-/// The engines of a backend in 2D and 3D.
+/// The engines of a backend in 2D and 3D; null where they are not compiled.
 struct Makers {
   MakeEngine *flat, *deep;
 };
 
-// src/CMakeLists.txt defines both lists: FRESHET_CPU_ENGINES calls FRESHET_CPU_ENGINE(isa)
-// for each instruction set, the best first, and FRESHET_SOLVERS calls FRESHET_SOLVER(name) for each
-// solver.
-#define FRESHET_CPU_ENGINE(isa)                                                     \
-  namespace isa {                                                                   \
-  template <int D> std::unique_ptr<Engine> make_cpu_engine(const EnginePlan& plan); \
-  static Makers cpu_makers() { return {make_cpu_engine<2>, make_cpu_engine<3>}; }   \
+// FRESHET_FLAT: no engine in 3D is linked (web/CMakeLists.txt). FRESHET_REFERENCE_FLAT: none of the
+// reference backend.
+#ifdef FRESHET_FLAT
+#define FRESHET_DEEP(make) nullptr
+#else
+#define FRESHET_DEEP(make) make<3>
+#endif
+
+// src/CMakeLists.txt defines the lists: FRESHET_CPU_ENGINES calls FRESHET_CPU_ENGINE(isa)
+// for each instruction set, the best first. FRESHET_SOLVERS and FRESHET_REFERENCE_SOLVERS call
+// FRESHET_SOLVER(name) for each solver of the cpu and of the reference backend.
+#define FRESHET_CPU_ENGINE(isa)                                                              \
+  namespace isa {                                                                            \
+  template <int D> std::unique_ptr<Engine> make_cpu_engine(const EnginePlan& plan);          \
+  static Makers cpu_makers() { return {make_cpu_engine<2>, FRESHET_DEEP(make_cpu_engine)}; } \
   }
 FRESHET_CPU_ENGINES
 #undef FRESHET_CPU_ENGINE
@@ -46,6 +54,8 @@ bool supported(const std::string& name) {
   return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
          __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
          __builtin_cpu_supports("avx512vl");
+#elif defined(__EMSCRIPTEN__)
+  return name == "sse42";  // by the SIMD instructions of WebAssembly
 #else
   return false;
 #endif
@@ -80,11 +90,19 @@ InstructionSet choose(const std::string& isa) {
 
 int hardware_threads() { return std::max(1, int(std::thread::hardware_concurrency())); }
 
-constexpr SolverName compiled[] = {
+Makers makers_of(const BackendChoice& choice) {
+  if (choice.backend != BackendName::reference) return choose(choice.isa).makers;
+#if defined(FRESHET_FLAT) || defined(FRESHET_REFERENCE_FLAT)
+  return {make_reference_engine<2>, nullptr};
+#else
+  return {make_reference_engine<2>, make_reference_engine<3>};
+#endif
+}
+
 #define FRESHET_SOLVER(name) SolverName::name,
-    FRESHET_SOLVERS
+constexpr SolverName compiled[] = {FRESHET_SOLVERS};
+constexpr SolverName compiled_for_reference[] = {FRESHET_REFERENCE_SOLVERS};
 #undef FRESHET_SOLVER
-};
 
 }  // namespace
 
@@ -108,14 +126,17 @@ int thread_count(int threads, double particles) {
   return std::max(1, int(std::min(double(hardware_threads()), particles / least)));
 }
 
-bool has_solver(SolverName name) {
-  return std::find(std::begin(compiled), std::end(compiled), name) != std::end(compiled);
+bool has_solver(SolverName name, BackendName backend, int dimension) {
+  const auto is_in = [name](const auto& list) {
+    return std::find(std::begin(list), std::end(list), name) != std::end(list);
+  };
+  const bool reference = backend == BackendName::reference;
+  if (dimension == 3 && !makers_of({backend, ""}).deep) return false;
+  return reference ? is_in(compiled_for_reference) : is_in(compiled);
 }
 
 std::unique_ptr<Engine> make_engine(const EnginePlan& plan, const BackendChoice& choice) {
-  const Makers makers = choice.backend == BackendName::reference
-                            ? Makers{make_reference_engine<2>, make_reference_engine<3>}
-                            : choose(choice.isa).makers;
+  const Makers makers = makers_of(choice);
   return (plan.dimension == 2 ? makers.flat : makers.deep)(plan);
 }
 

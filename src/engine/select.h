@@ -17,8 +17,8 @@ struct BackendChoice {
 /// sets. Throws Error (kind scene) for an instruction set or a solver that is not available.
 std::unique_ptr<Engine> make_engine(const EnginePlan& plan, const BackendChoice& choice);
 
-/// Whether this build has a solver: the sanitizers' builds exclude some.
-bool has_solver(SolverName name);
+/// Whether this build has a solver on a backend in 2D or 3D: some builds exclude some.
+bool has_solver(SolverName name, BackendName backend, int dimension);
 
 /// The name of the instruction set that `isa` selects; the best one if empty. Throws Error (kind
 /// scene) if it is not available.

@@ -7,8 +7,8 @@ namespace freshet {
 SolverMethod dfsph_method() {
   SolverMethod m = incompressible_method();
   m.solves = {"divergence", "density"};
-  m.keys.insert(m.keys.end(),
-                {"solver.warm_start", "solver.divergence_tolerance", "solver.iteration"});
+  m.keys.insert(m.keys.end(), {"solver.warm_start", "solver.divergence_tolerance",
+                               "solver.density_correction", "solver.iteration"});
   m.density_tolerance = 1e-4;
   m.solver = SolverName::dfsph;
   m.name = "dfsph";

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/check_checkpoint.h"
 #include "engine/inlet_clock.h"
@@ -31,7 +32,7 @@ void check_indices(const Checkpoint& c, const char* name, std::int64_t end) {
 
 /// Fails if the clock of an inlet is not one of this time: it would not end, or reach beyond its
 /// layers.
-void check_inlet(const Checkpoint& c, std::size_t k, const InletClock& clock) {
+void check_inlet(const Checkpoint& c, std::size_t k, InletClock clock) {
   const Checkpoint::Array* layers = array_of(c, fmt::format("flows/inlet_{}_layers", k));
   if (!layers || layers->count != 3) return;
   const auto born = number_at<std::uint64_t>(*layers, 0),
@@ -44,10 +45,15 @@ void check_inlet(const Checkpoint& c, std::size_t k, const InletClock& clock) {
         fmt::format("inlet {} has {} layers, {} of them past its opening, and {} "
                     "waiting particles",
                     k, born, through, waiting));
-  const double emitted = clock.plan().layers_until(c.time);
-  if (clock.plan().outlet < 0 && double(born) + 1 < emitted)
+  const Checkpoint::Array* crossings = array_of(c, fmt::format("flows/inlet_{}_crossings", k));
+  if (!crossings || std::size_t(crossings->count) != clock.crossings().size()) return;
+  clock.state = {born, through, waiting};
+  for (std::size_t slot = 0; slot < clock.crossings().size(); ++slot)
+    clock.crossings()[slot] = number_at<double>(*crossings, slot);
+  const double overdue = c.time > clock.plan().start ? clock.overdue(c.time) : 0;
+  if (clock.plan().outlet < 0 && overdue > 1)
     fail_for_checkpoint(fmt::format("inlet {} has {} layers, and {} have passed it by {} s", k,
-                                    born, emitted, c.time));
+                                    born, double(born) + std::floor(overdue) + 1, c.time));
 }
 
 /// Fails if the next id of a set is not above all of its ids.

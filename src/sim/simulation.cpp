@@ -20,10 +20,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
 std::unique_ptr<Engine> Simulation::Impl::make_engine_of(const Execution& execution) const {
-  if (!has_solver(scene.solver.name))
-    throw Error(Error::Kind::scene, "solver.name",
-                fmt::format("this build has no {}; compile with it in FRESHET_SOLVERS",
-                            scene.method().name));
+  const bool reference = scene.solver.backend == BackendName::reference;
+  if (!has_solver(scene.solver.name, scene.solver.backend, scene.dimension()))
+    throw Error(
+        Error::Kind::scene, "solver.name",
+        fmt::format("this build has no {} in {}D{}; compile with it in FRESHET_{}SOLVERS",
+                    scene.method().name, scene.dimension(),
+                    reference ? " on the reference backend" : "", reference ? "REFERENCE_" : ""));
   return make_engine(plan_of(scene, derived, bodies.get(), threads),
                      {scene.solver.backend, execution.isa});
 }
@@ -54,11 +57,11 @@ const std::vector<VerbTiming>& Simulation::timings() const { return impl_->engin
 void Simulation::set_force(Force force) {
   Impl& i = *impl_;
   i.health->note_intervention();
-  if (!force) return i.engine().set_force({});
-  i.engine().set_force(
-      [impl = impl_.get(), force = std::move(force)](double time, std::span<double> acceleration) {
-        force(impl->fluid(), time, acceleration);
-      });
+  i.force = std::move(force);
+  if (!i.force) return i.engine().set_force({});
+  i.engine().set_force([impl = impl_.get()](double time, std::span<double> acceleration) {
+    impl->force(impl->fluid(), time, acceleration);
+  });
 }
 
 void Simulation::set_gravity(const Vector& gravity) {
@@ -69,6 +72,7 @@ void Simulation::set_gravity(const Vector& gravity) {
     throw Error(Error::Kind::scene, "gravity",
                 fmt::format("gravity must have {} finite numbers", i.scene.dimension()));
   i.health->note_intervention();
+  i.gravity = gravity;
   i.scene.domain.gravity = gravity;  // bodies read it there
   Triple g{};
   std::copy(gravity.begin(), gravity.end(), g.begin());

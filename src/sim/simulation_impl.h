@@ -25,13 +25,14 @@ inline int threads_of(const Scene& scene, const Execution& execution, double par
 }
 
 struct Simulation::Impl {
-  Impl(Scene s, const Execution& execution)
+  Impl(Scene s, const Execution& e)
       : scene(with_defaults(std::move(s))),
         derived(derive(scene)),
-        threads(threads_of(scene, execution, derived.most_particles)),
+        threads(threads_of(scene, e, derived.most_particles)),
         bodies(scene.body.empty() ? nullptr : std::make_unique<Bodies>(scene)),
+        execution(e),
         tight_walls(scene, derived, bodies.get()),
-        engine_(make_engine_of(execution)) {
+        engine_(make_engine_of(e)) {
     health.emplace(scene, derived, engine_->fluid(), bodies.get());
   }
   std::unique_ptr<Engine> make_engine_of(const Execution& execution) const;
@@ -64,6 +65,9 @@ struct Simulation::Impl {
   Derived derived;
   int threads;
   std::unique_ptr<Bodies> bodies;  // null without bodies
+  Execution execution;
+  Force force;                    // of the caller; may be empty
+  std::optional<Vector> gravity;  // of the caller, in place of the scene's
   std::int64_t steps = 0;
   double time = 0;
   bool edited = false;  // the caller has added or removed particles

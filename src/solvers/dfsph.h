@@ -6,12 +6,12 @@ namespace freshet {
 inline namespace FRESHET_ISA {
 
 template <int D> struct DfsphFluid : IncompressibleFluid<D> {
-  Field<Real> k_divergence;         ///< kept: p/rho^2 of the divergence solve
+  Field<Real> k_other;              ///< kept: k of the solve whose pressures are not the fluid's
   Field<Real> change, k_before;     ///< scratch: change of k; k of the previous iteration
-  Field<Vec<D>> v_before, v_start;  ///< scratch: v of the previous iteration; v before the step
+  Field<Vec<D>> v_before, v_start;  ///< scratch: v of the previous iteration, and before a stage
   template <class Visit> void fields(Visit visit) {
     IncompressibleFluid<D>::fields(visit);
-    visit("k_divergence", Keep::kept, k_divergence);
+    visit("k_other", Keep::kept, k_other);
     visit("change", Keep::scratch, change);
     visit("k_before", Keep::scratch, k_before);
     visit("v_before", Keep::scratch, v_before);
@@ -20,8 +20,12 @@ template <int D> struct DfsphFluid : IncompressibleFluid<D> {
 };
 
 /// Divergence-free SPH for incompressible and viscous fluids [Bender and Koschier 2017]. One solve
-/// keeps the velocity divergence-free, the other keeps the density. Each starts from the pressures
-/// of the previous step.
+/// keeps the velocity divergence-free, the other keeps the density.
+///
+/// In the paper both solves change the velocity, so what corrects positions stays as motion: waves
+/// lose their height, and still water warms. With `moves_only` [Hu and Adams 2007] the divergence
+/// solve comes after all other forces and its pressures are those of the fluid; the density solve
+/// moves particles and leaves their velocities.
 ///
 /// Both solve a complementarity problem: pressures k >= 0, no positive excess, and k = 0 where the
 /// excess is negative. An iteration is a relaxed Jacobi step. With `accelerated` it adds momentum
@@ -34,22 +38,47 @@ struct Dfsph : Incompressible<D, B, Kernel> {
   using Base::c;
   using Fluid = DfsphFluid<D>;
 
-  /// One step: algorithm 1, from the neighbour search on.
   std::array<Solve, 2> step(B& backend, Fluid& fluid, Walls<D>& w, const Tick& t) const {
     this->find_neighbors(backend, fluid, w);
     const auto f = fluid;
-    const Real dt = t.dt;
     this->density_and_factor(backend, f, w);
     backend.for_each("start", f, [=] FRESHET_LAMBDA(int i) { f.v_start[i] = f.v[i]; });
+    return c.moves_only ? step_of_hu_and_adams(backend, f, w, t.dt)
+                        : step_of_bender_and_koschier(backend, f, w, t.dt);
+  }
+
+  /// Algorithm 1, from the divergence solve on.
+  std::array<Solve, 2> step_of_bender_and_koschier(B& backend, const Fluid& fluid,
+                                                   const Walls<D>& w, Real dt) const {
+    const auto f = fluid;
     const Solve divergence =  // algorithm 2; Excess ignores particles with few neighbours
-        remove(backend, f, w, "divergence", f.k_divergence, c.divergence,
-               {f.rho, c.rho0, dt, true});
+        remove(backend, f, w, "divergence", f.k_other, c.divergence, {f.rho, c.rho0, dt, true});
     this->push_without_pressure(backend, f, w, dt, c.gravity);
     const Solve density =  // algorithm 3
         remove(backend, f, w, "density", f.k, c.density, {f.rho, c.rho0, dt, false});
     backend.for_each("start", f,
                      [=] FRESHET_LAMBDA(int i) { f.a[i] = (f.v[i] - f.v_start[i]) / dt; });
-    this->drift(backend, f, dt);
+    this->drift(backend, f, dt, f.v);
+    return {divergence, density};
+  }
+
+  /// The density solve starts from pressures of zero. Bodies do not respond to it.
+  std::array<Solve, 2> step_of_hu_and_adams(B& backend, const Fluid& fluid, const Walls<D>& w,
+                                            Real dt) const {
+    const auto f = fluid;
+    this->push_without_pressure(backend, f, w, dt, c.gravity);
+    const Solve divergence =
+        remove(backend, f, w, "divergence", f.k, c.divergence, {f.rho, c.rho0, dt, true});
+    backend.for_each("start", f, [=] FRESHET_LAMBDA(int i) {
+      f.a[i] = (f.v[i] - f.v_start[i]) / dt;
+      f.v_start[i] = f.v[i];
+      f.k_other[i] = 0;
+    });
+    const bool respond = w.bodies && std::exchange(w.bodies->respond, false);
+    const Solve density =
+        iterate(backend, f, w, "density", f.k_other, c.density, {f.rho, c.rho0, dt, false});
+    if (respond) w.bodies->respond = true;
+    this->drift(backend, f, dt, f.v_start);
     return {divergence, density};
   }
 
@@ -69,15 +98,18 @@ struct Dfsph : Incompressible<D, B, Kernel> {
   /// Solves for pressures k that remove the excess, and changes v by them.
   Solve remove(B& backend, const Fluid& f, const Walls<D>& w, const char* name, Field<Real> k,
                const Iterations& limits, const Excess& excess) const {
-    const Real dt = excess.dt;
-    Momentum momentum(c.accelerated);
-    start(backend, f, w, k, dt);
-    const Solve done = solve(
-        name, limits, [&] { return measure(backend, f, w, k, excess); },
-        [&](double error) { improve(backend, f, w, k, dt, Real(momentum.next(error))); });
-    this->note_impulse(backend, f, w, k, dt);
-    forget_unneeded(backend, f, k, dt);
+    start(backend, f, w, k, excess.dt);
+    const Solve done = iterate(backend, f, w, name, k, limits, excess);
+    this->note_impulse(backend, f, w, k, excess.dt);
+    forget_unneeded(backend, f, k, excess.dt);
     return done;
+  }
+  Solve iterate(B& backend, const Fluid& f, const Walls<D>& w, const char* name, Field<Real> k,
+                const Iterations& limits, const Excess& excess) const {
+    Momentum momentum(c.accelerated);
+    return solve(
+        name, limits, [&] { return measure(backend, f, w, k, excess); },
+        [&](double error) { improve(backend, f, w, k, excess.dt, Real(momentum.next(error))); });
   }
 
   /// Resets pressures of which less than half was needed. With a warm start from them, particles

@@ -45,7 +45,7 @@ struct Iisph : Incompressible<D, B, Kernel> {
       f.a[i] += a;
       f.v[i] += dt * a;  // eq. 15
     });
-    this->drift(backend, f, dt);
+    this->drift(backend, f, dt, f.v);
     return {density};
   }
 

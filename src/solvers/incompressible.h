@@ -35,6 +35,7 @@ template <int D> struct IncompressibleParameters {
   Vec<D> gravity;      ///< [m/s^2]
   Confinement<D> confine;
   bool warm_start, accelerated;
+  bool moves_only;  ///< dfsph: the density solve leaves the velocities as they are
   Iterations density, divergence;
 
   Real eps_h2() const { return Real(0.01f) * h * h; }
@@ -167,8 +168,8 @@ template <int D, Backend<D> B, template <int> class Kernel> struct Incompressibl
     return k_per_excess > 0 ? max(excess, -k / k_per_excess) : 0;
   }
 
-  /// Advances x by dt v, confines the particles, and sets p from k.
-  void drift(B& backend, const BaseFluid& fluid, Real dt) const;
+  /// Advances x by dt v, sets v to v_after, confines the particles, and sets p from k.
+  void drift(B& backend, const BaseFluid& fluid, Real dt, Field<Vec<D>> v_after) const;
 };
 
 }  // namespace FRESHET_ISA

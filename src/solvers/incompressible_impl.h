@@ -116,13 +116,15 @@ double Incompressible<D, B, Kernel>::error(B& backend, const BaseFluid& f) const
 }
 
 template <int D, Backend<D> B, template <int> class Kernel>
-void Incompressible<D, B, Kernel>::drift(B& backend, const BaseFluid& fluid, Real dt) const {
+void Incompressible<D, B, Kernel>::drift(B& backend, const BaseFluid& fluid, Real dt,
+                                         Field<Vec<D>> v_after) const {
   const auto f = fluid;
   const auto confine = c.confine;
   backend.for_each("drift", f, [=] FRESHET_LAMBDA(int i) {
     f.p[i] = f.k[i] * square(f.rho[i]);
     const Vec<D> from = f.x[i];
     f.x[i] += dt * f.v[i];
+    f.v[i] = v_after[i];
     confine(i, f, f.v[i], from);
   });
 }

@@ -43,7 +43,7 @@ struct Pcisph : Incompressible<D, B, Kernel> {
       f.a[i] += f.a_p[i];
       f.v[i] += dt * f.a_p[i];
     });
-    this->drift(backend, f, dt);
+    this->drift(backend, f, dt, f.v);
     return {density};
   }
 

@@ -110,6 +110,12 @@ TEST(SceneWarnings, DeepStillWaterOfDfsph) {
                        "m/s with dfsph; set solver.warm_start = false"))
       << still("5.0", "");
   EXPECT_EQ("", still("5.0", "warm_start = false\n"));
+  const std::string positions = "density_correction = \"position\"\n";
+  EXPECT_EQ("", still("2.4", positions));
+  EXPECT_TRUE(contains(still("3.0", positions),
+                       "s.toml:9:22: warning: the fluid is 30 spacings deep; beyond 25 the density "
+                       "solve does not keep up"))
+      << still("3.0", positions);
 }
 
 TEST(SceneWarnings, ProbeInsideASolid) {

@@ -3,20 +3,23 @@
 
 #ifdef _OPENMP
 #include <omp.h>
-#endif
 
-#include <atomic>
-#include <exception>
 #include <latch>
 #include <string>
 #include <system_error>
 #include <thread>
 #include <vector>
+#endif
+
+#include <atomic>
+#include <exception>
 
 #include "freshet/error.h"
 
 namespace freshet {
 namespace {
+
+#ifdef _OPENMP
 
 /// Starts and ends so many threads. libgomp ends the process where it cannot start one; this
 /// throws.
@@ -43,21 +46,23 @@ void try_threads(int count) {
 
 /// Makes OpenMP start its threads now, on the memory that try_threads has just given back. Later
 /// the run could have taken that memory.
-[[gnu::noinline]] void start_team([[maybe_unused]] int count) {
-#ifdef _OPENMP
+[[gnu::noinline]] void start_team(int count) {
   std::atomic<int> started{0};
 #pragma omp parallel num_threads(count)
   ++started;
-#endif
 }
+
+#endif
 
 }  // namespace
 
 Threads::Threads(int count) : count_(count) {
   static std::atomic<int> most{1};  // that were started so far: OpenMP keeps them
   if (count <= most) return;
+#ifdef _OPENMP
   try_threads(count - 1);
   start_team(count);
+#endif
   most = count;
 }
 

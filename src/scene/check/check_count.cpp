@@ -5,6 +5,10 @@
 
 #include <algorithm>
 
+#if defined(__EMSCRIPTEN__)
+#include <emscripten/heap.h>
+#endif
+
 #include "scene/check/findings.h"
 #include "scene/model/loaded_mesh.h"
 #include "scene/model/openings.h"
@@ -20,11 +24,15 @@ constexpr double far_larger = 100;          // than the domain: probably another
 
 /// Memory that the process may use [bytes].
 double memory_limit() {
+#if defined(__EMSCRIPTEN__)  // sysconf knows the memory that is in use, which grows
+  return double(emscripten_get_heap_max());
+#else
   double bytes = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
   rlimit address_space{};
   if (getrlimit(RLIMIT_AS, &address_space) == 0 && address_space.rlim_cur != RLIM_INFINITY)
     bytes = std::min(bytes, double(address_space.rlim_cur));
   return bytes;
+#endif
 }
 
 /// The longest extent of a region [m]; 0 of a plane.

@@ -17,12 +17,19 @@ void pressure_keys(KeyVisitor& v, Scene::Solver& s) {
             .text = "maximum density error of a solve, as a fraction of ρ0; pressure solvers",
             .min = 1e-6,
             .max = 0.1,
-            .fallback = "0.0001 for `dfsph`, else 0.001"});
+            .fallback = "0.0001 for `dfsph`, 0.0003 if its solver.density_correction is "
+                        "`position`; for other solvers 0.001"});
   v.number("divergence_tolerance", s.divergence_tolerance,
            {.unit = "",
             .text = "maximum divergence error of a solve, as a fraction of ρ0; `dfsph` only",
             .min = 1e-6,
-            .max = 1});
+            .max = 1,
+            .fallback = "0.001; 0.00003 if solver.density_correction is `position`"});
+  v.choice(
+      "density_correction", s.density_correction, correction_words,
+      {.unit = "",
+       .text = "what the density solve of `dfsph` changes: the `velocity`, as in the paper, or "
+               "only the `position` of particles (Hu and Adams 2007), which keeps waves"});
   v.integer("min_iterations", s.min_iterations,
             {.unit = "",
              .text = "minimum number of iterations of a solve; pressure solvers",

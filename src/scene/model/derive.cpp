@@ -153,6 +153,7 @@ DerivedFluid derive_fluid(const Scene& s, const Scene::Fluid& f, std::int64_t pa
 /// nominal speed of sound is ten times the maximum speed.
 void derive_flow(const Scene& s, double start, Derived& d) {
   d.density_tolerance = density_tolerance(s);
+  d.divergence_tolerance = divergence_tolerance(s);
   d.sound_speed = 10 * d.fastest;
   d.stiffness = square(d.sound_speed);
   d.flow_step = 0.4 * d.support_radius / 2 / start;

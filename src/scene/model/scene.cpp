@@ -80,8 +80,18 @@ double artificial_viscosity(const Scene& s) {
       s.viscosity_method() == ViscosityMethod::artificial ? 0.05 : 0);
 }
 
+bool moves_positions_only(const Scene& s) {
+  return s.method().reads("solver.density_correction") &&
+         s.solver.density_correction == DensityCorrection::position;
+}
+
 double density_tolerance(const Scene& s) {
-  return s.solver.density_tolerance.value_or(s.method().density_tolerance);
+  return s.solver.density_tolerance.value_or(
+      moves_positions_only(s) ? 3e-4 : s.method().density_tolerance);
+}
+
+double divergence_tolerance(const Scene& s) {
+  return s.solver.divergence_tolerance.value_or(moves_positions_only(s) ? 3e-5 : 1e-3);
 }
 
 WallMethod body_method(const Scene& s) {

@@ -32,7 +32,10 @@ double sound_speed(const Scene& scene);  ///< [m/s]
 /// rest. The scene must have its defaults filled in.
 TimeStepBounds bounds_at_rest(const Scene& scene);
 /// The density tolerance of the pressure solvers: as set, or the default of the solver.
-double density_tolerance(const Scene& scene);  ///< of the mean of max(0, rho/rho0 - 1)
+/// Whether the density solve leaves the velocities as they are (solver.density_correction).
+bool moves_positions_only(const Scene& scene);
+double divergence_tolerance(const Scene& scene);  ///< of the mean of dt |Drho/Dt|/rho0 in a step
+double density_tolerance(const Scene& scene);     ///< of the mean of max(0, rho/rho0 - 1)
 
 /// alpha of Monaghan's artificial viscosity: as set, else 0.05 if it is the only viscosity, else 0.
 double artificial_viscosity(const Scene& scene);

@@ -56,7 +56,8 @@ double still_depth(const Scene& s) {
 }
 
 double churning_speed(const Scene& s, double depth) {
-  if (!s.method().reads("solver.iteration") || !s.solver.warm_start || density_tolerance(s) < 5e-5)
+  if (!s.method().reads("solver.iteration") || moves_positions_only(s) || !s.solver.warm_start ||
+      density_tolerance(s) < 5e-5)
     return 0;
   const double g = std::abs(s.domain.gravity[1]), spacing = s.particles.spacing;
   return 0.009 * std::pow(depth / spacing, 0.75) * std::sqrt(g * spacing);

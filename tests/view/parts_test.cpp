@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// Cameras, picking and shapes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "render/camera.h"
+#include "scene/model/setup.h"
+#include "view/actions.h"
+#include "view/pick.h"
+#include "view/shapes.h"
+
+namespace freshet::view {
+namespace {
+
+Scene box_scene(int dimension) {
+  Scene s;
+  s.domain.max = dimension == 2 ? Vector{2, 1} : Vector{2, 1, 0.5};
+  s.particles.spacing = 0.1;
+  return with_defaults(s);
+}
+
+/// Where a camera draws a point: -1 to 1 from the middle to the edges.
+Point drawn(const Camera& camera, double aspect, Point p) {
+  const Matrix v = camera.view(), m = camera.projection(aspect);
+  const auto times = [](const Matrix& a, const double(&x)[4], double(&y)[4]) {
+    for (std::size_t r = 0; r < 4; ++r) {
+      y[r] = 0;
+      for (std::size_t c = 0; c < 4; ++c) y[r] += double(a[4 * c + r]) * x[c];
+    }
+  };
+  const double at[4] = {p.x, p.y, p.z, 1};
+  double eye[4], clip[4];
+  times(v, at, eye);
+  times(m, eye, clip);
+  return {clip[0] / clip[3], clip[1] / clip[3], clip[2] / clip[3]};
+}
+
+TEST(ViewCamera, DrawsAPointWhereThePicturesOfTheSceneHaveIt) {
+  const Scene scene = box_scene(3);
+  constexpr double width = 600, height = 400;
+  const Camera camera = Camera::of(scene, 0, width / height);
+  const View pictures(pose_at(scene, 0), width, height);
+  for (const Point p : {Point{0, 0, 0}, Point{2, 1, 0.5}, Point{0.3, 0.9, 0.1}}) {
+    const View::Seen seen = pictures(p);
+    const Point here = drawn(camera, width / height, p);
+    EXPECT_NEAR((here.x + 1) / 2 * width, seen.x, 0.05);
+    EXPECT_NEAR((1 - here.y) / 2 * height, seen.y, 0.05);
+  }
+}
+
+TEST(ViewCamera, RayOfAPlaceMeetsThePointDrawnThere) {
+  for (const int dimension : {2, 3}) {
+    Camera camera = Camera::of(box_scene(dimension), 0, 1.5);
+    camera.zoom(0.7, 0.2, 0.1, 1.5);
+    camera.pan(0.05, -0.02);
+    if (dimension == 3) camera.orbit(0.3, 0.1);
+    const Point p{0.7, 0.4, dimension == 3 ? 0.3 : 0.0}, at = drawn(camera, 1.5, p);
+    const Camera::Ray ray = camera.ray(at.x, at.y, 1.5);
+    const Point arm = p - ray.from;
+    EXPECT_NEAR(norm(arm - dot(arm, ray.along) * ray.along), 0, 1e-5);
+    EXPECT_NEAR(norm(camera.on_plane(at.x, at.y, 1.5, p) - p), 0, 1e-5);
+  }
+}
+
+TEST(ViewCamera, ZoomIn2DKeepsThePlaceUnderTheCursor) {
+  Camera camera = Camera::of(box_scene(2), 0, 1.5);
+  const Point before = camera.on_plane(0.4, -0.3, 1.5, {0, 0, 0});
+  camera.zoom(0.5, 0.4, -0.3, 1.5);
+  EXPECT_NEAR(norm(camera.on_plane(0.4, -0.3, 1.5, {0, 0, 0}) - before), 0, 1e-12);
+}
+
+Frame three_particles() {
+  Frame f;
+  f.dimension = 3;
+  f.id = {2, 5, 9};
+  f.x = {0, 0, 0, 0, 0, 1, 0.5f, 0, 0};
+  f.v.resize(9);
+  f.density.resize(3);
+  f.pressure.resize(3);
+  return f;
+}
+
+TEST(ViewPick, FindsTheNearestBallOnTheRayAndObeysTheSlice) {
+  const Frame f = three_particles();
+  const Camera::Ray ray{{0, 0, 5}, {0, 0, -1}};
+  EXPECT_EQ(pick(f, ray, 0.1), std::size_t(1));
+  EXPECT_EQ(pick(f, ray, 0.1, {2, 0, 0.5}), std::size_t(0));
+  EXPECT_FALSE(pick(f, {{0.3, 0, 5}, {0, 0, -1}}, 0.1));
+  EXPECT_FALSE(pick(f, {{0, 0, -5}, {0, 0, -1}}, 0.1)) << "behind the camera";
+  EXPECT_EQ(find_id(f, 9), std::size_t(2));
+  EXPECT_FALSE(find_id(f, 4));
+}
+
+TEST(ViewPick, NeighborsAreThoseWithinTheSupport) {
+  const Frame f = three_particles();
+  EXPECT_EQ(neighbors_of(f, 0, 0.6), (std::vector<std::size_t>{2}));
+  EXPECT_EQ(neighbors_of(f, 0, 1.1).size(), 2u);
+  EXPECT_TRUE(neighbors_of(f, 0, 0.5).empty()) << "the kernel is 0 at its support";
+}
+
+double area_of(const std::vector<Vec<2, double>>& p,
+               const std::vector<TriangleMesh::Triangle>& triangles) {
+  double area = 0;
+  for (const auto& [a, b, c] : triangles) {
+    const auto &u = p[std::size_t(a)], &v = p[std::size_t(b)], &w = p[std::size_t(c)];
+    const double part = ((v.x - u.x) * (w.y - u.y) - (v.y - u.y) * (w.x - u.x)) / 2;
+    EXPECT_GT(part, 0);
+    area += part;
+  }
+  return area;
+}
+
+TEST(ViewShapes, ConcavePolygonIsFilledOnce) {
+  const std::vector<Vec<2, double>> arrow{{0, 0}, {2, 0}, {2, 2}, {1, 0.5}, {0, 2}};
+  EXPECT_NEAR(area_of(arrow, triangulate(arrow)), 2.5, 1e-12);
+}
+
+TEST(ViewShapes, DomainWallsBodiesAndProbesHaveParts) {
+  Scene s = box_scene(3);
+  Scene::Wall wall;
+  wall.shape = Shape::box;
+  wall.min = {0.5, 0, 0};
+  wall.max = {0.7, 0.4, 0.5};
+  s.wall.push_back(wall);
+  Scene::Wall plane;
+  plane.shape = Shape::plane;
+  plane.point = {1, 0.5, 0.25};
+  plane.normal = {0, 1, 0};
+  s.wall.push_back(plane);
+  Scene::Body ball;
+  ball.shape = Shape::sphere;
+  ball.center = {1.5, 0.5, 0.25};
+  ball.radius = 0.2;
+  ball.motion = BodyMotion::moved;
+  s.body.push_back(ball);
+  Scene::Probe gauge;
+  gauge.kind = ProbeKind::point;
+  gauge.at = {1, 0.2, 0.2};
+  s.probe.push_back(gauge);
+  const std::vector<Part> parts = parts_of(with_defaults(s));
+  ASSERT_EQ(parts.size(), 5u);
+  EXPECT_EQ(parts[0].lines.size(), 12u * 6) << "edges of the domain";
+  EXPECT_EQ(parts[1].triangles.size(), 12u * 18) << "a box";
+  EXPECT_EQ(parts[1].lines.size(), 12u * 6) << "without the diagonals of its faces";
+  EXPECT_EQ(parts[2].triangles.size(), 2u * 18) << "a plane across the domain";
+  EXPECT_GT(parts[3].triangles.size(), 1000u);
+  EXPECT_TRUE(parts[3].lines.empty()) << "a ball has no sharp edges";
+  EXPECT_EQ(parts[4].lines.size(), 3u * 6) << "a cross";
+  Frame frame;
+  frame.dimension = 3;
+  frame.bodies.resize(1);
+  frame.bodies[0].position = {1.5, 0.75, 0.25};
+  EXPECT_NEAR(placement_of(parts[3], frame)[13], 0.25, 1e-6);
+}
+
+TEST(ViewActions, TextOfALogIsReadToTheSameNumbers) {
+  ActionLog log;
+  log.scene = "/tmp/scene.toml";
+  log.overrides = {{"time.end", "2"}, {"air", std::nullopt}};
+  log.actions.push_back({3, 0.1, Action::Kind::change, {"domain.gravity", "[0.0, -1.5]"}, {}});
+  log.actions.push_back(
+      {4, 0.1 + 1e-17, Action::Kind::push, {}, {{1.0 / 3, 2, 0}, 0.1, {1, 2e-7, 0}}});
+  log.actions.push_back({5, 0.3, Action::Kind::push, {}, {{1, 2, 3}, 0, {1.0 / 7, 0, 0}, 2}});
+  log.actions.push_back({9, 0.4, Action::Kind::release, {}, {}});
+  const ActionLog read = parse_log(log.text(), "x.toml");
+  EXPECT_EQ(read.scene, log.scene);
+  EXPECT_EQ(read.overrides, log.overrides);
+  ASSERT_EQ(read.actions.size(), log.actions.size());
+  for (std::size_t k = 0; k < read.actions.size(); ++k) {
+    EXPECT_EQ(read.actions[k].step, log.actions[k].step);
+    EXPECT_EQ(read.actions[k].time, log.actions[k].time);
+    EXPECT_EQ(read.actions[k].kind, log.actions[k].kind);
+    EXPECT_EQ(read.actions[k].change, log.actions[k].change);
+    EXPECT_EQ(read.actions[k].push, log.actions[k].push);
+  }
+  EXPECT_THROW(parse_log("[[action]]\nstep = 1\n", "x.toml"), Error);
+  EXPECT_THROW(parse_log("= 3", "x.toml"), Error);
+}
+
+}  // namespace
+}  // namespace freshet::view
