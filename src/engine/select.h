@@ -18,7 +18,7 @@ struct BackendChoice {
 std::unique_ptr<Engine> make_engine(const EnginePlan& plan, const BackendChoice& choice);
 
 /// Whether this build has a solver on a backend in 2D or 3D: some builds exclude some.
-bool has_solver(SolverName name, BackendName backend, int dimension);
+bool has_solver(SolverName name, BackendName backend = BackendName::cpu, int dimension = 2);
 
 /// The name of the instruction set that `isa` selects; the best one if empty. Throws Error (kind
 /// scene) if it is not available.

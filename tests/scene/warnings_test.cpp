@@ -113,7 +113,7 @@ TEST(SceneWarnings, DeepStillWaterOfDfsph) {
   const std::string positions = "density_correction = \"position\"\n";
   EXPECT_EQ("", still("2.4", positions));
   EXPECT_TRUE(contains(still("3.0", positions),
-                       "s.toml:9:22: warning: the fluid is 30 spacings deep; beyond 25 the density "
+                       "s.toml:11:22: warning: the fluid is 30 spacings deep; beyond 25 the density "
                        "solve does not keep up"))
       << still("3.0", positions);
 }

@@ -83,7 +83,7 @@ double depth_in_spacings(const Scene& s) {
       low = std::min(low, lattice.from[k]);
       high = std::max(high, lattice.last(s.particles.spacing)[k]);
     }
-    most = std::max(most, (high - low) / s.particles.spacing);
+    most = std::max(most, (high - low) / s.particles.spacing + 1);
   }
   return most;
 }
