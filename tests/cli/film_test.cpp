@@ -191,12 +191,14 @@ TEST_F(FilmCommand, ReportsTheEndOfBlendersOutput) {
                        "end of its output is: first | no space on this disk"))
       << r.err;
   EXPECT_TRUE(pictures().empty());
-  use_blender("#!/bin/sh\nexit 0\n");
-  EXPECT_TRUE(contains(film().err, "it wrote no picture"));
-  use_blender("#!/bin/sh\necho garbage > \"${13}\"\n");
-  EXPECT_TRUE(contains(film().err, "its picture is damaged"));
-  use_blender("#!/bin/sh\nkill -9 $$\n");
-  EXPECT_TRUE(contains(film().err, "it ended early"));
+  const auto expect_error = [&](const std::string& script, const std::string& words) {
+    use_blender("#!/bin/sh\n" + script);
+    const std::string err = film().err;
+    EXPECT_TRUE(contains(err, words)) << err;
+  };
+  expect_error("exit 0\n", "it wrote no picture");
+  expect_error("echo garbage > \"${13}\"\n", "its picture is damaged");
+  expect_error("kill -9 $$\n", "it ended early");
   EXPECT_TRUE(pictures().empty());
 }
 
