@@ -10,7 +10,7 @@ enum class Scheme { paper, article };
 enum class KernelName { cubic_spline, wendland_c2, wendland_c4, wendland_c6 };
 enum class DensityDiffusion { none, fourtakas2019, antuono2010 };
 enum class Iteration { jacobi, nesterov };
-enum class DensityCorrection { velocity, position };
+enum class DensityCorrection { gradual, at_once };
 enum class WallMethod { open, reflection, monaghan2009, ghost, akinci2012, adami2012 };
 enum class Slip { free_slip, no_slip };
 enum class BackendName { cpu, reference };

@@ -34,6 +34,8 @@ struct SolverMethod {
   Integrator integrator = Integrator::leapfrog;
   ViscosityMethod viscosity = ViscosityMethod::monaghan2005;
   WallMethod walls = WallMethod::akinci2012;
+  /// Of solver.density_correction, where it is read.
+  DensityCorrection correction = DensityCorrection::at_once;
   double density_tolerance = 0;  ///< maximum of the mean of max(0, rho/rho0 - 1)
 
   /// Moves the particles before it solves: forces on bodies act at the end of a step.

@@ -24,9 +24,9 @@ struct SolverSettings {
   double delta = 0.1;                                 // delta_sph
   double background_pressure = 0;                     // wcsph, delta_sph
   // The pressure solvers: pcisph, iisph, dfsph, pbf
-  std::optional<double> density_tolerance;     // Derived has the default
-  std::optional<double> divergence_tolerance;  // dfsph; Derived has the default
-  DensityCorrection density_correction = DensityCorrection::velocity;  // dfsph
+  std::optional<double> density_tolerance;              // Derived has the default
+  std::optional<double> divergence_tolerance;           // dfsph; Derived has the default
+  std::optional<DensityCorrection> density_correction;  // pcisph, iisph, dfsph
   std::int64_t min_iterations = 1, max_iterations = 100;
   bool warm_start = true;                     // iisph, dfsph
   Iteration iteration = Iteration::nesterov;  // dfsph

@@ -364,8 +364,9 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
     for (const Particles<D>* wall : std::initializer_list<const Particles<D>*>{
              &walls.akinci2012, &walls.adami2012, &walls.monaghan2009})
       if (wall->n > 0) backend.list_neighbors("wall forces", support_, *wall, fluid_);
+    backend.share("wall forces", fluid_, fluid_.v);
     stepper_->add_wall_forces(backend, walls, forces);
-    if (forces_) forces_->add_wall_forces(backend, fluid_, walls, forces);
+    if (forces_) forces_->add_wall_forces(fluid_, walls, forces);
   }
 
   std::unique_ptr<Stepper<D, B>> stepper_;

@@ -114,11 +114,12 @@ IncompressibleParameters<D> parameters_of(const EnginePlan& p, IncompressiblePar
   c.repulsion = Real(square(0.1 * p.sound_speed));
   c.response = Real(p.lattice_response * p.mass * p.mass);
   c.stiffness = Real(p.lattice_stiffness);
+  c.deficit = Real(p.rest_density * p.surface_deficit);
   c.gravity = vec_of<D, Real>(p.gravity);
   c.confine = confinement<D>(p);
   c.warm_start = p.warm_start;
   c.accelerated = p.accelerated;
-  c.moves_only = p.moves_only;
+  c.gradual = p.gradual;
   c.density = p.density;
   c.divergence = p.divergence;
   return c;

@@ -123,8 +123,8 @@ struct EnginePlan {
   bool antuono2010 = false;  ///< diffusion of Antuono 2010, else of Fourtakas 2019
   double own_viscosity = 0;  ///< maximum kinematic viscosity that a pressure solver sums itself
   double xsph = 0;
-  double lattice_response = 0, lattice_stiffness = 0;  ///< kernels/lattice_sum.h
-  bool warm_start = false, accelerated = false, moves_only = false;
+  double lattice_response = 0, lattice_stiffness = 0, surface_deficit = 0;  // lattice_sum.h
+  bool warm_start = false, accelerated = false, gradual = false;
   Iterations density{}, divergence{};
 
   // Domain

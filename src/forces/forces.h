@@ -73,9 +73,7 @@ class Forces final : public NonPressureForces<D, B> {
     for (const auto& force : all_) force->bound(bounds);
   }
   std::optional<Solve> solve() const override { return solve_; }
-  void add_wall_forces(B& backend, const Fluid& f, const Walls<D>& w,
-                       WallForces<D, B>& forces) const override {
-    backend.share("wall forces", f, f.v);
+  void add_wall_forces(const Fluid& f, const Walls<D>& w, WallForces<D, B>& forces) const override {
     for (const auto& force : all_) force->add_wall_forces(f, w, forces);
   }
 

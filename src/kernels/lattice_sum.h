@@ -57,6 +57,24 @@ double lattice_response(const Kernel& W, double spacing, double support_radius) 
   return std::ldexp(sum, 2 * exponent);
 }
 
+/// What a flat free surface lacks: (1 - rho/rho0) R/|sum_j grad W(x_j)|^2 in the outermost layer of
+/// a lattice that fills a half space, with R = lattice_response. The sum of gradients is zero
+/// inside the fluid and grows with what lacks on one side.
+template <int D, class Kernel>
+double surface_deficit(const Kernel& W, double spacing, double support_radius) {
+  double all = 0, there = 0;
+  Vec<D, double> push{};
+  on_lattice<D>(spacing, support_radius, [&](Vec<D> x) {
+    const double weight = double(W(Pair<D, Real>(x)));
+    all += weight;
+    if (x.y > 0) return;
+    there += weight;
+    Vec<D> gradient = W.gradient(Pair<D, Real>(x));
+    for (int d = 0; d < D; ++d) component(push, d) += double(component(gradient, d));
+  });
+  return (1 - there / all) * lattice_response<D>(W, spacing, support_radius) / norm2(push);
+}
+
 /// The largest eigenvalue of the pressure equations on an infinite lattice over their diagonal:
 /// max over waves k of |sum_j grad W(x_j) sin(k · x_j)|^2/sum_j |grad W(x_j)|^2. A relaxed Jacobi
 /// iteration converges if its relaxation factor is below 2 over this number.

@@ -10,6 +10,7 @@ SolverMethod dfsph_method() {
   m.keys.insert(m.keys.end(), {"solver.warm_start", "solver.divergence_tolerance",
                                "solver.density_correction", "solver.iteration"});
   m.density_tolerance = 1e-4;
+  m.correction = DensityCorrection::gradual;
   m.solver = SolverName::dfsph;
   m.name = "dfsph";
   m.paper = "Bender and Koschier 2017";

@@ -6,7 +6,7 @@ namespace freshet {
 
 SolverMethod iisph_method() {
   SolverMethod m = incompressible_method();
-  m.keys.push_back("solver.warm_start");
+  m.keys.insert(m.keys.end(), {"solver.warm_start", "solver.density_correction"});
   m.solver = SolverName::iisph;
   m.name = "iisph";
   m.paper = "Ihmsen et al. 2014";

@@ -6,6 +6,7 @@ namespace freshet {
 
 SolverMethod pcisph_method() {
   SolverMethod m = incompressible_method();
+  m.keys.push_back("solver.density_correction");
   m.solver = SolverName::pcisph;
   m.name = "pcisph";
   m.paper = "Solenthaler and Pajarola 2009";

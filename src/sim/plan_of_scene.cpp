@@ -165,7 +165,8 @@ template <int D> void plan_pressure(const Scene& s, const Derived& d, EnginePlan
   p.lattice_stiffness = lattice_stiffness<D>(W, p.spacing, p.support);
   p.warm_start = solver.warm_start;
   p.accelerated = solver.iteration == Iteration::nesterov;
-  p.moves_only = moves_positions_only(s);
+  p.gradual = corrects_gradually(s);
+  p.surface_deficit = surface_deficit<D>(W, p.spacing, p.support);
   const int least = int(solver.min_iterations), most = int(solver.max_iterations);
   p.density = {d.density_tolerance, least, most};
   p.divergence = {d.divergence_tolerance, least, most};

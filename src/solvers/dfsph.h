@@ -22,10 +22,10 @@ template <int D> struct DfsphFluid : IncompressibleFluid<D> {
 /// Divergence-free SPH for incompressible and viscous fluids [Bender and Koschier 2017]. One solve
 /// keeps the velocity divergence-free, the other keeps the density.
 ///
-/// In the paper both solves change the velocity, so what corrects positions stays as motion: waves
-/// lose their height, and still water warms. With `moves_only` [Hu and Adams 2007] the divergence
-/// solve comes after all other forces and its pressures are those of the fluid; the density solve
-/// moves particles and leaves their velocities.
+/// In the paper both solves change the velocity. With `gradual` [Hu and Adams 2007] the divergence
+/// solve comes after all other forces, also removes a part of the density's error, and its
+/// pressures are those of the fluid. The density solve moves particles and leaves their velocities;
+/// it has work to do in the moments after impacts alone.
 ///
 /// Both solve a complementarity problem: pressures k >= 0, no positive excess, and k = 0 where the
 /// excess is negative. An iteration is a relaxed Jacobi step. With `accelerated` it adds momentum
@@ -43,8 +43,8 @@ struct Dfsph : Incompressible<D, B, Kernel> {
     const auto f = fluid;
     this->density_and_factor(backend, f, w);
     backend.for_each("start", f, [=] FRESHET_LAMBDA(int i) { f.v_start[i] = f.v[i]; });
-    return c.moves_only ? step_of_hu_and_adams(backend, f, w, t.dt)
-                        : step_of_bender_and_koschier(backend, f, w, t.dt);
+    return c.gradual ? step_of_hu_and_adams(backend, f, w, t.dt)
+                     : step_of_bender_and_koschier(backend, f, w, t.dt);
   }
 
   /// Algorithm 1, from the divergence solve on.
@@ -52,10 +52,10 @@ struct Dfsph : Incompressible<D, B, Kernel> {
                                                    const Walls<D>& w, Real dt) const {
     const auto f = fluid;
     const Solve divergence =  // algorithm 2; Excess ignores particles with few neighbours
-        remove(backend, f, w, "divergence", f.k_other, c.divergence, {f.rho, c.rho0, dt, true});
+        remove(backend, f, w, "divergence", f.k_other, c.divergence, Excess{f.rho, c.rho0, dt});
     this->push_without_pressure(backend, f, w, dt, c.gravity);
     const Solve density =  // algorithm 3
-        remove(backend, f, w, "density", f.k, c.density, {f.rho, c.rho0, dt, false});
+        remove(backend, f, w, "density", f.k, c.density, Excess{f.rho, c.rho0, dt, f.to_remove});
     backend.for_each("start", f,
                      [=] FRESHET_LAMBDA(int i) { f.a[i] = (f.v[i] - f.v_start[i]) / dt; });
     this->drift(backend, f, dt, f.v);
@@ -67,29 +67,32 @@ struct Dfsph : Incompressible<D, B, Kernel> {
                                             Real dt) const {
     const auto f = fluid;
     this->push_without_pressure(backend, f, w, dt, c.gravity);
-    const Solve divergence =
-        remove(backend, f, w, "divergence", f.k, c.divergence, {f.rho, c.rho0, dt, true});
+    const Solve divergence = remove(backend, f, w, "divergence", f.k, c.divergence,
+                                    Excess{f.rho, c.rho0, dt, f.to_remove});
+    const Real rho0 = c.rho0;
     backend.for_each("start", f, [=] FRESHET_LAMBDA(int i) {
+      f.to_remove[i] = f.rho[i] - rho0;
       f.a[i] = (f.v[i] - f.v_start[i]) / dt;
       f.v_start[i] = f.v[i];
       f.k_other[i] = 0;
     });
     const bool respond = w.bodies && std::exchange(w.bodies->respond, false);
-    const Solve density =
-        iterate(backend, f, w, "density", f.k_other, c.density, {f.rho, c.rho0, dt, false});
+    const Solve density = iterate(backend, f, w, "density", f.k_other, c.density,
+                                  Excess{f.rho, c.rho0, dt, f.to_remove});
     if (respond) w.bodies->respond = true;
     this->drift(backend, f, dt, f.v_start);
     return {divergence, density};
   }
 
-  /// The excess that a solve removes, a function of the rate Drho_i/Dt [kg/m^3]. For the divergence
-  /// a particle with rho <= 0.6 rho0, at a free surface, has no positive excess.
+  /// The excess that a solve removes, a function of the rate Drho_i/Dt [kg/m^3]: to_remove + dt
+  /// Drho/Dt. Without to_remove it is that of the paper's divergence solve: dt Drho/Dt, and a
+  /// particle with rho <= 0.6 rho0, at a free surface, has no positive excess.
   struct Excess {
     Field<Real> rho;
     Real rho0, dt;
-    bool of_divergence;  ///< dt Drho/Dt, else rho - rho0 + dt Drho/Dt
+    Field<Real> to_remove{};
     FRESHET_HD Real operator()(int i, Real rate) const {
-      if (!of_divergence) return rho[i] - rho0 + dt * rate;
+      if (to_remove.data) return to_remove[i] + dt * rate;
       return rho[i] > Real(0.6f) * rho0 ? dt * rate : min(dt * rate, Real(0));
     }
   };
@@ -131,7 +134,7 @@ struct Dfsph : Incompressible<D, B, Kernel> {
       this->pressure_acceleration(backend, f, w, k,
                                   [=] FRESHET_LAMBDA(int i, Vec<D> a) { f.v[i] += dt * a; });
     else backend.for_each("start", f, [=] FRESHET_LAMBDA(int i) { k[i] = 0; });
-    backend.share("v", f, f.v);
+    this->share_for_rate(backend, f);
     if (w.bodies && w.bodies->respond) push_bodies(backend, f, w, k, dt, 0);
   }
 
@@ -164,7 +167,7 @@ struct Dfsph : Incompressible<D, B, Kernel> {
       f.k_before[i] = k_next;
       f.v_before[i] = v_next;
     });
-    backend.share("v", f, f.v);
+    this->share_for_rate(backend, f);
   }
 
   /// Applies one iteration to the motion of bodies: the push of `change`, then extrapolation by

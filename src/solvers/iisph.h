@@ -6,11 +6,11 @@ namespace freshet {
 inline namespace FRESHET_ISA {
 
 template <int D> struct IisphFluid : IncompressibleFluid<D> {
-  Field<Real> rho_adv;  ///< scratch: density predicted without pressure [kg/m^3]
-  Field<Vec<D>> a_p;    ///< scratch: acceleration by the pressures [m/s^2]
+  Field<Real> rise;   ///< scratch: excess density predicted without pressure [kg/m^3]
+  Field<Vec<D>> a_p;  ///< scratch: acceleration by the pressures [m/s^2]
   template <class Visit> void fields(Visit visit) {
     IncompressibleFluid<D>::fields(visit);
-    visit("rho_adv", Keep::scratch, rho_adv);
+    visit("rise", Keep::scratch, rise);
     visit("a_p", Keep::scratch, a_p);
   }
 };
@@ -33,7 +33,7 @@ struct Iisph : Incompressible<D, B, Kernel> {
     this->density_and_factor(backend, f, w);
     this->push_without_pressure(backend, f, w, dt, c.gravity);  // v_adv
     this->density_rate(backend, f, w, f.v, [=] FRESHET_LAMBDA(int i, Real rate) {
-      f.rho_adv[i] = f.rho[i] + dt * rate;  // eq. 4
+      f.rise[i] = f.to_remove[i] + dt * rate;  // eq. 4
       f.k[i] = start * f.k[i];
     });
     if (w.bodies && !w.bodies->respond)  // pressures do not accelerate them
@@ -53,7 +53,7 @@ struct Iisph : Incompressible<D, B, Kernel> {
   /// One iteration of the pressures. Returns the error before it.
   double iterate(B& backend, const Fluid& fluid, const Walls<D>& w, Real dt) const {
     const auto f = fluid;
-    const Real rho0 = c.rho0, dt2 = dt * dt, omega = c.relaxation(0.5f);
+    const Real dt2 = dt * dt, omega = c.relaxation(0.5f);
     this->pressure_acceleration(backend, f, w, f.k,
                                 [=] FRESHET_LAMBDA(int i, Vec<D> a) { f.a_p[i] = a; });
     backend.share("a_p", f, f.a_p);
@@ -62,7 +62,7 @@ struct Iisph : Incompressible<D, B, Kernel> {
       this->show_bodies(backend, f, w, [](const auto& body) { return body.push; });
     }
     this->density_rate(backend, f, w, f.a_p, [=] FRESHET_LAMBDA(int i, Real rate) {
-      const Real excess = f.rho_adv[i] - rho0 + dt2 * rate, k_per_excess = f.factor[i] / dt2;
+      const Real excess = f.rise[i] + dt2 * rate, k_per_excess = f.factor[i] / dt2;
       f.excess[i] = Base::left_of(excess, f.k[i], k_per_excess);
       f.k[i] = max(f.k[i] + omega * k_per_excess * excess, Real(0));  // eq. 13
     });

@@ -34,9 +34,24 @@ template <int D> struct IncompressibleParameters {
   Real stiffness;      ///< largest eigenvalue of the equations over their diagonal, in a lattice
   Vec<D> gravity;      ///< [m/s^2]
   Confinement<D> confine;
+  Real deficit;  ///< rho0 times that of a flat surface (kernels/lattice_sum.h) [kg/m^3]
   bool warm_start, accelerated;
-  bool moves_only;  ///< dfsph: the density solve leaves the velocities as they are
+  bool gradual;  ///< errors of the density are removed in many steps
   Iterations density, divergence;
+
+  /// The density that the pressures of a step should remove, beside dt Drho/Dt [kg/m^3], for a
+  /// density and the sum of m grad W. If it is all of rho - rho0, as in the papers, the push that
+  /// corrects positions stays as motion: still water warms, and waves lose their height. `gradual`
+  /// removes a fifth [after Baumgarte 1972] of what is outside of 0.99 to 1.001 rho0, so that the
+  /// velocity is nearly divergence-free, and voids close. At a free surface neighbours lack on one
+  /// side, and the sum of gradients tells how much lacks. It is counted twice, since surfaces are
+  /// uneven: taken for dilution, it would make the surface sink into the fluid.
+  FRESHET_HD Real to_remove(Real rho, Vec<D> gradient) const {
+    if (!gradual) return rho - rho0;
+    const Real filled = rho + 2 * deficit * (norm2(gradient) / response);
+    return Real(0.2f) *
+           (max(rho - Real(1.001f) * rho0, Real(0)) + min(filled - Real(0.99f) * rho0, Real(0)));
+  }
 
   Real eps_h2() const { return Real(0.01f) * h * h; }
   /// The relaxation factor of a Jacobi iteration: the paper's, but at most 1.6/stiffness. The
@@ -45,15 +60,17 @@ template <int D> struct IncompressibleParameters {
 };
 
 template <int D> struct IncompressibleFluid : FluidParticles<D> {
-  Field<Real> k;       ///< kept: p/rho^2 [Pa m^6/kg^2]
-  Field<Real> factor;  ///< scratch: 1/response [m^8/kg^2], 0 for a negligible response
-  Field<Real> excess;  ///< scratch: excess density that a solve still has to remove [kg/m^3]
+  Field<Real> k;          ///< kept: p/rho^2 [Pa m^6/kg^2]
+  Field<Real> factor;     ///< scratch: 1/response [m^8/kg^2], 0 for a negligible response
+  Field<Real> to_remove;  ///< scratch: density that a step removes beside dt Drho/Dt [kg/m^3]
+  Field<Real> excess;     ///< scratch: excess density that a solve still has to remove [kg/m^3]
   template <class Visit> void fields(Visit visit) {
     visit("k", Keep::kept, k);
     visit("a", Keep::scratch, this->a);
     visit("rho", Keep::scratch, this->rho);
     visit("p", Keep::scratch, this->p);
     visit("factor", Keep::scratch, factor);
+    visit("to_remove", Keep::scratch, to_remove);
     visit("excess", Keep::scratch, excess);
   }
 };
@@ -94,6 +111,13 @@ template <int D, Backend<D> B, template <int> class Kernel> struct Incompressibl
   void push_without_pressure(B& backend, const BaseFluid& fluid, const Walls<D>& w, Real dt,
                              Vec<D> g) const;
 
+  /// Updates v at copies for density_rate: ghosts slide with the fluid, also at no-slip sides. If
+  /// they moved against it, a flow along a side would change the density.
+  void share_for_rate(B& backend, const BaseFluid& f) const {
+    Particles<D> sliding = f;
+    sliding.v = {};
+    backend.share("v", sliding, f.v);
+  }
   /// Calls finish(i, Drho_i/Dt) for the velocities v. For accelerations in place of v it is the
   /// rate of Drho_i/Dt.
   template <class Finish>

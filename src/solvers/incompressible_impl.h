@@ -29,14 +29,14 @@ template <int D, Backend<D> B, template <int> class Kernel>
 void Incompressible<D, B, Kernel>::density_and_factor(B& backend, const BaseFluid& fluid,
                                                       const Walls<D>& w, const char* name) const {
   const auto f = fluid;
-  const Real least = Real(1e-3f) * c.response;
-  const Liquids liquids = c.liquids;
+  const auto c = this->c;
   backend.sum_pairs(name, f, over(f, FluidDensityAndResponse{W, c.m, c.m_density, c.liquids, f}),
                     over(w.akinci2012, Akinci2012DensityAndResponse{W, w.akinci2012.psi}),
                     [=] FRESHET_LAMBDA(int i, const DensityAndResponse<D, Real>& sum) {
-                      const Real response = sum.response(liquids.lightness(f, i));
+                      const Real response = sum.response(c.liquids.lightness(f, i));
                       f.rho[i] = sum.rho;
-                      f.factor[i] = response > least ? 1 / response : 0;
+                      f.factor[i] = response > Real(1e-3f) * c.response ? 1 / response : 0;
+                      f.to_remove[i] = c.to_remove(sum.rho, sum.gradient);
                     });
   backend.share("rho", f, f.rho);
 }
@@ -56,9 +56,9 @@ void Incompressible<D, B, Kernel>::push_without_pressure(B& backend, const BaseF
                       f.a[i] = liquids.lightness(f, i) * sum + g;
                       f.v[i] += dt * f.a[i];
                     });
-  backend.share("v", f, f.v);
   if (w.bodies) push_bodies(backend, f, w, dt);
   if (forces) forces->push(backend, f, w, dt);
+  share_for_rate(backend, f);
 }
 
 template <int D, Backend<D> B, template <int> class Kernel>

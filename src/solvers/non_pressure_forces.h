@@ -47,7 +47,7 @@ template <int D, class B> struct NonPressureForces {
   /// The result of the last step's implicit solve; empty without one.
   virtual std::optional<Solve> solve() const = 0;
   /// Adds the reactions of these forces to the forces on walls.
-  virtual void add_wall_forces(B& backend, const Fluid& f, const Walls<D>& w,
+  virtual void add_wall_forces(const Fluid& f, const Walls<D>& w,
                                WallForces<D, B>& forces) const = 0;
 };
 

@@ -51,14 +51,13 @@ struct Pcisph : Incompressible<D, B, Kernel> {
   /// One iteration of the pressures. Returns the error before it.
   double correct(B& backend, const Fluid& fluid, const Walls<D>& w, Real dt) const {
     const auto f = fluid;
-    const Real rho0 = c.rho0;
     const Real omega_dt2 = c.relaxation(0.5f) / (dt * dt), full = 1 / c.response;
     predict(backend, f, dt);
     backend.sum_pairs("solve: rate", f, over(f, PredictedDensity{W, c.m_density, f.moved}),
                       over(w.akinci2012, Akinci2012PredictedDensity{W, w.akinci2012.psi, f.moved,
                                                                     dt, w.akinci2012.v}),
                       [=] FRESHET_LAMBDA(int i, Real rho) {
-                        const Real excess = rho - rho0;
+                        const Real excess = rho - f.rho[i] + f.to_remove[i];
                         const Real delta = omega_dt2 * min(full, f.factor[i]);  // eq. 8
                         f.excess[i] = Base::left_of(excess, f.k[i], delta);
                         f.k[i] = max(f.k[i] + delta * excess, Real(0));  // eq. 9

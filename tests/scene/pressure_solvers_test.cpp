@@ -50,8 +50,11 @@ TEST(PressureSolvers, HaveANominalSoundSpeedOfTenTimesFallOrStart) {
 
 TEST(PressureSolvers, HaveDefaultDensityTolerances) {
   for (const char* name : names)
-    EXPECT_EQ(std::string(name) == "dfsph" ? 1e-4 : 1e-3,
+    EXPECT_EQ(std::string(name) == "dfsph" ? 3e-4 : 1e-3,
               derive(scene_of(name, "")).density_tolerance);
+  const std::string at_once = "solver.density_correction = \"at_once\"\n";
+  EXPECT_EQ(1e-4, derive(scene_of("dfsph", "", at_once)).density_tolerance);
+  EXPECT_EQ(1e-3, derive(scene_of("iisph", "", at_once)).density_tolerance);
   const std::string given = "solver.density_tolerance = 0.02\n";
   EXPECT_EQ(0.02, derive(scene_of("dfsph", "", given)).density_tolerance);
   EXPECT_EQ(0, derive(scene_of("delta_sph", "")).density_tolerance);

@@ -104,18 +104,14 @@ TEST(SceneWarnings, DeepStillWaterOfDfsph) {
         depth + "]\npressure = \"hydrostatic\"\n[solver]\nname = \"dfsph\"\n" + more + "[time]\n" +
         adaptive);
   };
-  EXPECT_EQ("", still("3.0", ""));
-  EXPECT_TRUE(contains(still("5.0", ""),
+  const std::string at_once = "density_correction = \"at_once\"\n";
+  EXPECT_EQ("", still("5.0", ""));
+  EXPECT_EQ("", still("3.0", at_once));
+  EXPECT_TRUE(contains(still("5.0", at_once),
                        "still water 50 spacings deep keeps moving at about 0.17 "
-                       "m/s with dfsph; set solver.warm_start = false"))
-      << still("5.0", "");
-  EXPECT_EQ("", still("5.0", "warm_start = false\n"));
-  const std::string positions = "density_correction = \"position\"\n";
-  EXPECT_EQ("", still("2.4", positions));
-  EXPECT_TRUE(contains(still("3.0", positions),
-                       "s.toml:11:22: warning: the fluid is 30 spacings deep; beyond 25 the density "
-                       "solve does not keep up"))
-      << still("3.0", positions);
+                       "m/s with dfsph; set solver.density_correction = \"gradual\""))
+      << still("5.0", at_once);
+  EXPECT_EQ("", still("5.0", at_once + "warm_start = false\n"));
 }
 
 TEST(SceneWarnings, ProbeInsideASolid) {
@@ -153,19 +149,6 @@ TEST(SceneWarnings, BodiesOfOneLayerInDeltaSph) {
   EXPECT_FALSE(contains(with("delta_sph", "adami2012", ball), "lifts too strongly"));
   EXPECT_FALSE(contains(with("dfsph", "akinci2012", ball), "lifts too strongly"));
   EXPECT_FALSE(contains(with("delta_sph", "open", tank), "lifts too strongly"));
-}
-
-TEST(SceneWarnings, NoSlipGhostsOfDfsph) {
-  const auto with = [](const std::string& solver, const std::string& walls) {
-    return warnings_of(dam(solver + "\"", adaptive, "[walls]\n" + walls));
-  };
-  EXPECT_TRUE(contains(with("dfsph", "method = \"ghost\"\nslip = \"no_slip\"\n"),
-                       "s.toml:16:8: warning: the images of \"ghost\" sides"))
-      << with("dfsph", "method = \"ghost\"\nslip = \"no_slip\"\n");
-  EXPECT_TRUE(contains(with("dfsph", "method = \"ghost\"\n"), "warning: the images of"));
-  EXPECT_EQ("", with("dfsph", "method = \"ghost\"\nslip = \"free_slip\"\n"));
-  EXPECT_EQ("", with("iisph", "method = \"ghost\"\n"));
-  EXPECT_EQ("", with("dfsph", "method = \"akinci2012\"\n"));
 }
 
 }  // namespace

@@ -15,7 +15,6 @@ namespace {
 
 constexpr double least_sound = 5;  // times the fastest speed; 10 are usual
 constexpr double deep = 40;        // spacings
-constexpr double deep_for_positions = 25;
 
 struct Speed {
   double value = 0;  ///< [m/s]
@@ -61,33 +60,6 @@ Speed fastest_in(const Scene& s) {
   return fastest;
 }
 
-/// Images of a no-slip ghost move against the fluid. The rate of the density reads this as
-/// compression, and dfsph solves for it: measured in docs/solvers.md.
-bool has_ghosts_against_dfsph(const Scene& s) {
-  if (s.solver.name != SolverName::dfsph || s.walls.slip != Slip::no_slip) return false;
-  for (int side = 0; side < 2 * s.dimension(); ++side)
-    if (!s.periodic(side / 2) && s.side_method(side) == WallMethod::ghost) return true;
-  return false;
-}
-
-/// From the lowest to the highest place of the fluids along gravity, in spacings. Fluids of points
-/// and planes are left out.
-double depth_in_spacings(const Scene& s) {
-  double most = 0;
-  for (std::size_t k = 0; k < s.domain.gravity.size(); ++k) {
-    if (s.domain.gravity[k] == 0) continue;
-    double low = s.domain.max[k], high = s.domain.min[k];
-    for (const Scene::Fluid& f : s.fluid) {
-      if (f.shape == Shape::points || f.shape == Shape::plane || f.side != Side::inside) continue;
-      const Lattice lattice = lattice_of(s, f);
-      low = std::min(low, lattice.from[k]);
-      high = std::max(high, lattice.last(s.particles.spacing)[k]);
-    }
-    most = std::max(most, (high - low) / s.particles.spacing + 1);
-  }
-  return most;
-}
-
 }  // namespace
 
 std::vector<Diagnostic> pressure_warnings(const Scene& s, const Derived& d) {
@@ -109,12 +81,6 @@ std::vector<Diagnostic> pressure_warnings(const Scene& s, const Derived& d) {
                      linear ? "solver.stiffness" : "solver.sound_speed",
                      linear ? needed * needed : needed));
   }
-  if (has_ghosts_against_dfsph(s))
-    warn(
-        "walls.slip",
-        "the images of \"ghost\" sides with walls.slip = \"no_slip\" move against the fluid, which "
-        "dfsph takes for compression: where water hits a side, particles fly off at many times "
-        "its speed; set walls.slip = \"free_slip\", or walls.method = \"akinci2012\"");
   if (density_ratio(s) > density_ratio_limits(s).good)
     warn(key_of_lightest(s), about_density_ratio(s));
   const double depth = still_depth(s), churning = churning_speed(s, depth);
@@ -123,12 +89,6 @@ std::vector<Diagnostic> pressure_warnings(const Scene& s, const Derived& d) {
          fmt::format(
              "still water {:.3g} spacings deep keeps moving at about {:.2g} m/s with {}; {}",
              depth / s.particles.spacing, churning, s.method().name, remedy_for_churning(s)));
-  if (moves_positions_only(s) && depth_in_spacings(s) > deep_for_positions)
-    warn("solver.density_correction",
-         fmt::format("the fluid is {:.3g} spacings deep; beyond {} the density solve does not keep "
-                     "up, and particles may leave through the floor; set "
-                     "solver.density_correction = \"velocity\", or make particles.spacing larger",
-                     depth_in_spacings(s), deep_for_positions));
   return list;
 }
 

@@ -39,7 +39,7 @@ inline constexpr const char* backend_words[] = {"cpu", "reference"};
 inline constexpr const char* search_words[] = {"grid", "all_pairs"};
 inline constexpr const char* order_words[] = {"cell", "id"};
 inline constexpr const char* iteration_words[] = {"jacobi", "nesterov"};
-inline constexpr const char* correction_words[] = {"velocity", "position"};
+inline constexpr const char* correction_words[] = {"gradual", "at_once"};
 inline constexpr const char* wrong_words[] = {"stop", "warn"};
 inline constexpr const char* method_words[] = {"open",  "reflection", "monaghan2009",
                                                "ghost", "akinci2012", "adami2012"};

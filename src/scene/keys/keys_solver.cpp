@@ -17,19 +17,21 @@ void pressure_keys(KeyVisitor& v, Scene::Solver& s) {
             .text = "maximum density error of a solve, as a fraction of ρ0; pressure solvers",
             .min = 1e-6,
             .max = 0.1,
-            .fallback = "0.0001 for `dfsph`, 0.0003 if its solver.density_correction is "
-                        "`position`; for other solvers 0.001"});
+            .fallback = "0.0003 where solver.density_correction is `gradual`; else 0.0001 for "
+                        "`dfsph`, 0.001 for other solvers"});
   v.number("divergence_tolerance", s.divergence_tolerance,
            {.unit = "",
             .text = "maximum divergence error of a solve, as a fraction of ρ0; `dfsph` only",
             .min = 1e-6,
             .max = 1,
-            .fallback = "0.001; 0.00003 if solver.density_correction is `position`"});
+            .fallback = "0.00003; 0.001 if solver.density_correction is `at_once`"});
   v.choice(
       "density_correction", s.density_correction, correction_words,
       {.unit = "",
-       .text = "what the density solve of `dfsph` changes: the `velocity`, as in the paper, or "
-               "only the `position` of particles (Hu and Adams 2007), which keeps waves"});
+       .text = "how `pcisph`, `iisph` and `dfsph` remove an error of the density: `gradual`, a "
+               "fifth in a step, while the velocity stays divergence-free, which keeps waves and "
+               "stillness; or `at_once`, as in their papers",
+       .fallback = "`gradual` for `dfsph`, else `at_once`"});
   v.integer("min_iterations", s.min_iterations,
             {.unit = "",
              .text = "minimum number of iterations of a solve; pressure solvers",

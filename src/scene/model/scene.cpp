@@ -80,18 +80,18 @@ double artificial_viscosity(const Scene& s) {
       s.viscosity_method() == ViscosityMethod::artificial ? 0.05 : 0);
 }
 
-bool moves_positions_only(const Scene& s) {
+bool corrects_gradually(const Scene& s) {
   return s.method().reads("solver.density_correction") &&
-         s.solver.density_correction == DensityCorrection::position;
+         s.solver.density_correction.value_or(s.method().correction) == DensityCorrection::gradual;
 }
 
 double density_tolerance(const Scene& s) {
-  return s.solver.density_tolerance.value_or(
-      moves_positions_only(s) ? 3e-4 : s.method().density_tolerance);
+  return s.solver.density_tolerance.value_or(corrects_gradually(s) ? 3e-4
+                                                                   : s.method().density_tolerance);
 }
 
 double divergence_tolerance(const Scene& s) {
-  return s.solver.divergence_tolerance.value_or(moves_positions_only(s) ? 3e-5 : 1e-3);
+  return s.solver.divergence_tolerance.value_or(corrects_gradually(s) ? 3e-5 : 1e-3);
 }
 
 WallMethod body_method(const Scene& s) {

@@ -31,9 +31,10 @@ double sound_speed(const Scene& scene);  ///< [m/s]
 /// The time-step limits that follow from the scene alone, without sampling: those of a fluid at
 /// rest. The scene must have its defaults filled in.
 TimeStepBounds bounds_at_rest(const Scene& scene);
-/// The density tolerance of the pressure solvers: as set, or the default of the solver.
-/// Whether the density solve leaves the velocities as they are (solver.density_correction).
-bool moves_positions_only(const Scene& scene);
+/// Whether pressures keep the velocity divergence-free and remove errors of the density in many
+/// steps (solver.density_correction).
+bool corrects_gradually(const Scene& scene);
+/// The tolerances of the pressure solvers: as set, or the default of the solver.
 double divergence_tolerance(const Scene& scene);  ///< of the mean of dt |Drho/Dt|/rho0 in a step
 double density_tolerance(const Scene& scene);     ///< of the mean of max(0, rho/rho0 - 1)
 

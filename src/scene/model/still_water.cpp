@@ -56,7 +56,7 @@ double still_depth(const Scene& s) {
 }
 
 double churning_speed(const Scene& s, double depth) {
-  if (!s.method().reads("solver.iteration") || moves_positions_only(s) || !s.solver.warm_start ||
+  if (!s.method().reads("solver.iteration") || corrects_gradually(s) || !s.solver.warm_start ||
       density_tolerance(s) < 5e-5)
     return 0;
   const double g = std::abs(s.domain.gravity[1]), spacing = s.particles.spacing;
@@ -65,6 +65,8 @@ double churning_speed(const Scene& s, double depth) {
 
 const char* remedy_for_churning(const Scene& s) {
   if (!s.method().incompressible()) return "make the viscosity larger";
+  if (s.method().reads("solver.density_correction") && !corrects_gradually(s))
+    return "set solver.density_correction = \"gradual\"";
   return s.method().reads("solver.warm_start") && s.solver.warm_start
              ? "set solver.warm_start = false, or make solver.density_tolerance smaller"
              : "make solver.density_tolerance smaller";
