@@ -207,7 +207,7 @@ TEST(ViewActions, LogsThatAreDamagedAreRejected) {
   expect(pushed("[1, 2, 3]", "radius = 1\npull = [1e300, 2, 3]"), "pull must be a number");
   expect(pushed("[1, 2, 3]", "radius = 0\npull = [1, 2, 3]"), "radius must be greater than 0");
   expect(pushed("[1, 2, 3]", "radius = \"r\"\npull = [1, 2, 3]"), "radius must be a number");
-  expect(pushed("[1, 2, 3]", "radius = 1\npul = [1, 2, 3]"), "x.toml:6: error: unknown key pul");
+  expect(pushed("[1, 2, 3]", "radius = 1\npul = [1, 2, 3]"), "x.toml:7: error: unknown key pul");
   expect(pushed("[1, 2, 3]", "body = 4294967296\npull = [1, 2, 3]"), "body must be a whole number");
   expect(action + "step = -1\ntime = 0\nreleased = true\n", "step must be a whole number from 0");
   expect(action + "step = 1.5\ntime = 0\nreleased = true\n", "step must be a whole number from 0");
