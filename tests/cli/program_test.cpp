@@ -63,6 +63,17 @@ TEST(Program, RejectsWrongArguments) {
   EXPECT_TRUE(contains(usage_error({"surface", "no_run", "--to", huge}), huge));
 }
 
+TEST(Program, ViewIgnoresNoChange) {
+  const TemporaryFolder run;
+  const std::string folder = run.path().string();
+  EXPECT_TRUE(contains(usage_error({"view", folder, "--set", "time.end=1"}),
+                       "--set, --unset: error: these change a scene, not a finished run"));
+  EXPECT_TRUE(contains(usage_error({"view", folder, "--solver", "dfsph"}), "not a finished run"));
+  EXPECT_TRUE(contains(usage_error({"view", "--replay", "log.toml", "--set", "time.end=1"}),
+                       "not a log of actions"));
+  EXPECT_TRUE(contains(usage_error({"view", article, "--replay", "log.toml"}), "--replay"));
+}
+
 TEST(Program, ListsBundledScenes) {
   const auto r = freshet({"scenes"});
   EXPECT_EQ(r.code, 0) << r.err;
