@@ -115,7 +115,7 @@ Push push_in(const LogTable& table) {
 Action action_in(const LogTable& table) {
   Action action;
   action.step = table.whole("step", most_counted);
-  action.time = table.number("time");
+  if (table.has("time")) action.time = table.number("time");  // for readers
   if (table.has("key")) {
     table.allow({"step", "time", "key", "value", "removed"});
     action.change = override_in(table);
