@@ -30,6 +30,8 @@ struct Peak {
 
 /// The cell of largest magnitude in the columns of a probe's table whose names begin with `name`.
 Peak peak(const std::filesystem::path& table, const std::string& name) {
+  std::error_code ec;
+  if (!std::filesystem::is_regular_file(table, ec)) return {};  // another program put it there
   std::ifstream in(table);
   std::string line;
   std::getline(in, line);

@@ -82,7 +82,10 @@ CLI::Option* add(CLI::App* app, const char* name, Value& value, const std::strin
 }  // namespace
 
 Option Command::option(const char* name, std::string& value, const std::string& help) const {
-  return Option(add(app_, name, value, help));
+  const auto fault = [](const std::string& text) {
+    return std::string(text.empty() ? "an empty value is not allowed" : "");
+  };
+  return Option(add(app_, name, value, help)->check(CLI::Validator(fault, "")));
 }
 Option Command::option(const char* name, std::vector<std::string>& values,
                        const std::string& help) const {
@@ -99,7 +102,9 @@ Option Command::option(const char* name, int& value, const std::string& help) co
   return Option(add(app_, name, value, help));
 }
 Option Command::option(const char* name, std::int64_t& value, const std::string& help) const {
-  return Option(add(app_, name, value, help));
+  constexpr double most = 9007199254740992.0;  // 2^53; CLI11 replaces what 64 bits cannot hold
+  const auto fits = numbers([](double x) { return std::abs(x) <= most; }, "of at most 2^53");
+  return Option(add(app_, name, value, help)->check(fits));
 }
 Option Command::choice(const char* name, const std::vector<std::string>& values,
                        const std::function<void(int)>& set, const std::string& help) const {

@@ -66,8 +66,8 @@ int film_of(const FilmArguments& a) {
   if (!a.quiet)
     print_out("{}{} {} in {}\nwrote {}\n{}", r.interrupted ? "interrupted after " : "",
               r.pictures.size(), noun, duration(r.seconds),
-              r.pictures.empty() ? "" : r.pictures.back().string(),
-              !options.video || options.scene_only ? "" : "wrote " + a.video + "\n");
+              r.pictures.empty() ? "" : printable(r.pictures.back().string()),
+              !options.video || options.scene_only ? "" : "wrote " + printable(a.video) + "\n");
   return r.interrupted ? interrupted : done;
 }
 

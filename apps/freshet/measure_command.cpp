@@ -37,10 +37,10 @@ int measure_run(const MeasureArguments& a) {
   if (!a.quiet) {
     print_out("{}{} frames in {}\n", r.interrupted ? "interrupted after " : "", r.frames,
               duration(r.seconds));
-    print_out("wrote {}\n", r.files.front().lexically_normal().string());
+    print_out("wrote {}\n", printable(r.files.front().lexically_normal().string()));
     if (r.files.size() > 1)
       print_out("and {} files in {}\n", r.files.size() - 1,
-                r.files.front().lexically_normal().replace_extension().string());
+                printable(r.files.front().lexically_normal().replace_extension().string()));
   }
   return r.interrupted ? interrupted : done;
 }

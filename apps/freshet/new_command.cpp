@@ -10,6 +10,7 @@
 
 #include "command.h"
 #include "print.h"
+#include "whole_file.h"
 
 namespace freshet::cli {
 namespace {
@@ -29,21 +30,6 @@ std::string read(const fs::path& file) {
   std::string text{std::istreambuf_iterator<char>(in), {}};
   if (!in) fail(file, fmt::format("cannot be read: {}", std::strerror(errno)));
   return text;
-}
-
-/// The file appears whole or not at all.
-void write(const fs::path& file, const std::string& text) {
-  std::error_code ec;
-  if (file.has_parent_path()) fs::create_directories(file.parent_path(), ec);
-  const fs::path part = file.string() + ".part";
-  std::ofstream out(part, std::ios::binary);
-  const bool written = bool((out << text).flush());
-  out.close();
-  if (written) fs::rename(part, file, ec);
-  if (written && !ec) return;
-  const std::string reason = ec ? ec.message() : std::strerror(errno);
-  fs::remove(part, ec);
-  fail(file, fmt::format("cannot write: {}; make room, or choose another place", reason));
 }
 
 /// The files that a scene reads, relative to it.
@@ -97,8 +83,8 @@ void add_new(Program& program) {
   command.footer("Example:\n  freshet new dam_break_2d my_scene.toml");
   command.action([a] {
     for (const auto& [file, text] : copies(find_scene(a->scene), a->file)) {
-      write(file, text);
-      print_out("wrote {}\n", file.string());
+      write_whole(file, text);
+      print_out("wrote {}\n", printable(file.string()));
     }
     return done;
   });

@@ -26,7 +26,7 @@ void draw(const PlotArguments& a) {
   options.output = a.output;
   options.against.assign(a.against.begin(), a.against.end());
   for (const std::string& column : a.columns) options.columns.push_back(without_unit(column));
-  for (const auto& file : plot(options)) print_out("wrote {}\n", file.string());
+  for (const auto& file : plot(options)) print_out("wrote {}\n", printable(file.string()));
 }
 
 }  // namespace

@@ -38,8 +38,8 @@ int render_run(const RenderArguments& a) {
   if (!a.quiet)
     print_out("{}{} pictures in {}\n{}{}", r.interrupted ? "interrupted after " : "", r.frames,
               duration(r.seconds),
-              r.pictures.empty() ? "" : "wrote " + r.pictures.back().string() + "\n",
-              a.video.empty() ? "" : "wrote " + a.video + "\n");
+              r.pictures.empty() ? "" : "wrote " + printable(r.pictures.back().string()) + "\n",
+              a.video.empty() ? "" : "wrote " + printable(a.video) + "\n");
   return r.interrupted ? interrupted : done;
 }
 

@@ -99,13 +99,14 @@ std::string end_event(const Report& r, const Place& place) {
 int finish(const Report& r, const std::string& table, const Place& place,
            const Progress& progress) {
   const bool cut = r.state == Report::State::interrupted;
-  progress.say(fmt::format(
-      "{}{} steps, {:.4g} s simulated in {}: {} particle-steps/s\n{}"
-      "wrote {}{}{}",
-      cut ? "interrupted after " : "", r.steps, r.time, duration(r.seconds),
-      short_number(r.particle_steps_per_second()), table, (place.output / "result.png").string(),
-      place.video.empty() ? "" : "\nwrote " + place.video,
-      cut ? "\nto resume: " + place.resume : ""));
+  progress.say(
+      fmt::format("{}{} steps, {:.4g} s simulated in {}: {} particle-steps/s\n{}"
+                  "wrote {}{}{}",
+                  cut ? "interrupted after " : "", r.steps, r.time, duration(r.seconds),
+                  short_number(r.particle_steps_per_second()), table,
+                  printable((place.output / "result.png").string()),
+                  place.video.empty() ? "" : "\nwrote " + printable(place.video),
+                  cut ? "\nto resume: " + place.resume : ""));
   progress.event(end_event(r, place));
   for (const CheckResult& c : r.checks)
     if (!c.passed && !cut)

@@ -31,7 +31,8 @@ int make(const SurfaceArguments& a) {
   count.finish();
   if (!a.quiet)
     print_out("{}{} surfaces in {}\nwrote {}\n", r.interrupted ? "interrupted after " : "",
-              r.files.size(), duration(r.seconds), r.files.empty() ? "" : r.files.back().string());
+              r.files.size(), duration(r.seconds),
+              r.files.empty() ? "" : printable(r.files.back().string()));
   return r.interrupted ? interrupted : done;
 }
 

@@ -5,13 +5,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 
 #include "command.h"
 #include "freshet/simulation.h"
 #include "freshet/suggest.h"
 #include "print.h"
+#include "whole_file.h"
 
 namespace freshet::cli {
 namespace {
@@ -98,13 +98,6 @@ void tell(const ValidationRun& r, std::size_t done, std::size_t all) {
                         : " missed");
 }
 
-void write(const fs::path& file, const std::string& text) {
-  fs::create_directories(file.parent_path());
-  std::ofstream out(file, std::ios::binary);
-  if (!(out << text).flush())
-    throw Error(Error::Kind::run, file.string(), "cannot be written; is there room, and may you?");
-}
-
 int validate_with(const ValidateArguments& a) {
   if (a.jobs > thread_limit())
     throw Error(
@@ -129,10 +122,10 @@ int validate_with(const ValidateArguments& a) {
                                : "none of the cases is run with it; see freshet validate for the "
                                  "cases, and their case.toml for the solvers");
   if (!a.report.empty()) {
-    write(fs::path(a.report) / "index.html", validation_html(options.cases, runs));
-    write(fs::path(a.report) / "validation.json", validation_json(runs));
-    write(fs::path(a.report) / "validation.md", validation_markdown(options.cases, runs));
-    print_error("wrote {}\n", (fs::path(a.report) / "index.html").string());
+    write_whole(fs::path(a.report) / "index.html", validation_html(options.cases, runs));
+    write_whole(fs::path(a.report) / "validation.json", validation_json(runs));
+    write_whole(fs::path(a.report) / "validation.md", validation_markdown(options.cases, runs));
+    print_error("wrote {}\n", printable((fs::path(a.report) / "index.html").string()));
   }
   if (a.json) put(validation_json(runs));
   const auto bad =

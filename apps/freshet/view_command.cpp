@@ -18,9 +18,18 @@ struct ViewArguments : ChangeArguments {
   bool play = false, panels = false, report = false;
 };
 
+/// A finished run and a log of actions bring their own scene. Nothing is ignored silently.
+void refuse_changes(const ViewArguments& a, const char* what) {
+  if (a.overrides().empty() && a.solver.empty()) return;
+  throw Error(Error::Kind::scene, a.solver.empty() ? "--set, --unset" : "--solver",
+              fmt::format("these change a scene, not {}; leave them out", what));
+}
+
 window::Options options_of(const ViewArguments& a) {
   window::Options o;
   std::error_code ec;
+  if (!a.log.empty()) refuse_changes(a, "a log of actions");
+  else if (std::filesystem::is_directory(a.name, ec)) refuse_changes(a, "a finished run");
   if (!a.name.empty())
     o.path = std::filesystem::is_directory(a.name, ec) ? std::filesystem::path(a.name)
                                                        : find_scene(a.name);
@@ -48,7 +57,7 @@ window::Options options_of(const ViewArguments& a) {
 
 int view_run(const ViewArguments& a) {
   const window::Result r = window::show(options_of(a));
-  if (!a.screenshot.empty()) print_out("wrote {}\n", a.screenshot);
+  if (!a.screenshot.empty()) print_out("wrote {}\n", printable(a.screenshot));
   if (!a.report) return done;
   print_out("{} particles, step {}, {:.6g} s\n", r.particles, r.steps, r.time);
   print_out("{} pictures, {:.1f} ms each (median); {:.2f} ms a step; {}\n", r.pictures,
@@ -62,8 +71,8 @@ int view_run(const ViewArguments& a) {
 void add_view(Program& program) {
   const auto a = std::make_shared<ViewArguments>();
   const Command view = program.add("view", "Show a scene or a finished run in a window");
-  view.option("SCENE", a->name,
-              "a scene file, the name of a bundled scene, or the folder of a run");
+  const Option scene = view.option(
+      "SCENE", a->name, "a scene file, the name of a bundled scene, or the folder of a run");
   view.option("--solver", a->solver,
               "another solver than the scene's; keys that it does not use are dropped")
       .one_of(solver_names());
@@ -73,7 +82,8 @@ void add_view(Program& program) {
               "simulated seconds per second at most (default: 1; 0: as fast as possible)")
       .range(0.0, 1e9);
   view.option("--replay", a->log, "repeat the actions that a window has saved, with their scene")
-      .value("FILE");
+      .value("FILE")
+      .excludes(scene);
   view.option("--steps", a->steps, "take so many steps, or show so many frames on, first")
       .at_least(0);
   view.option("--screenshot", a->screenshot, "write a picture, FILE.png, and end without a window")

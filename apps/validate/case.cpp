@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <toml++/toml.h>
 #include <algorithm>
 #include <set>
 
 #include "core/input_file.h"
 #include "freshet/error.h"
 #include "scene/keys/keys.h"
+#include "scene/keys/parse_toml.h"
 #include "validate/validate.h"
 
 namespace freshet {
@@ -143,8 +143,8 @@ void check_solvers(CaseReader& in, const toml::table& table,
   const Words solvers = solver_words();
   for (const std::string& name : names)
     if (std::find(solvers.begin(), solvers.end(), name) == solvers.end())
-      in.fail(table, fmt::format("unknown solver {}; the solvers are {}", name,
-                                 fmt::join(solvers, ", ")));
+      in.fail(table,
+              fmt::format("unknown solver {}; the solvers are {}", name, fmt::join(solvers, ", ")));
 }
 
 /// spacings, time steps, or values of what `vary` names: what the runs of a case differ by.
@@ -186,16 +186,7 @@ ValidationMiss miss_in(const toml::table& table, const ValidationCase& c, const 
 
 ValidationCase read_validation_case(const fs::path& folder) {
   const fs::path file = folder / "case.toml";
-  toml::table root;
-  try {
-    root = toml::parse(read_input(file, case_file), file.string());
-  } catch (const toml::parse_error& e) {
-    const auto at = e.source().begin;
-    throw Error(
-        Error::Kind::scene,
-        at.line ? fmt::format("{}:{}:{}", file.string(), at.line, at.column) : file.string(),
-        fmt::format("{}; see a bundled case for an example", e.description()));
-  }
+  const toml::table root = parse_toml(read_input(file, case_file), file.string(), case_file.noun);
   CaseReader in(root, file);
   ValidationCase c;
   c.name = folder.filename().string();

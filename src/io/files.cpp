@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -44,6 +45,19 @@ Descriptor folder_of(const std::filesystem::path& file) {
   return opened;
 }
 
+/// A file is renamed to its place, which would replace a device or a FIFO that stands there.
+void refuse_special(int folder, const std::filesystem::path& file) {
+  struct stat there;
+  if (::fstatat(folder, file.filename().c_str(), &there, 0) != 0) return;
+  if (S_ISREG(there.st_mode) || S_ISDIR(there.st_mode)) return;
+  throw Error(Error::Kind::run, file.string(),
+              fmt::format("cannot write: {}, which a file would replace; choose another `output`",
+                          S_ISFIFO(there.st_mode)   ? "this is a named pipe (FIFO)"
+                          : S_ISSOCK(there.st_mode) ? "this is a socket"
+                                                    : "this is a device"),
+              {"output"});
+}
+
 }  // namespace
 
 Descriptor::~Descriptor() {
@@ -54,6 +68,7 @@ PartialFile::PartialFile(const std::filesystem::path& file) : PartialFile(folder
 
 PartialFile::PartialFile(Descriptor folder, std::filesystem::path file)
     : file_(std::move(file)), folder_(std::move(folder)), partial_(-1) {
+  refuse_special(folder_.get(), file_);
   ::unlinkat(folder_.get(), name().c_str(), 0);  // of a run that was killed, or a planted link
   partial_ = Descriptor(::openat(folder_.get(), name().c_str(),
                                  O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));

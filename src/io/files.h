@@ -25,7 +25,8 @@ class Descriptor {
 };
 
 /// A file that is written beside its place, as NAME.part, and renamed when it is complete. The file
-/// is always new: what another run left there is removed, and a symbolic link is not followed.
+/// is always new: what another run left there is removed, and a symbolic link is not followed. A
+/// device or a FIFO at the final place is an error, as the file would replace it.
 class PartialFile {
  public:
   /// `file` is the final path. Throws Error (kind run), as every member does, with the path, the

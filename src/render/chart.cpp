@@ -8,6 +8,7 @@
 #include <memory>
 #include <string_view>
 
+#include "core/utf8.h"
 #include "freshet/error.h"
 #include "render/axis.h"
 #include "render/font.h"
@@ -35,9 +36,8 @@ struct Box {
 
 void require(cairo_status_t status) {
   if (status == CAIRO_STATUS_SUCCESS) return;
-  const char* remedy = status == CAIRO_STATUS_INVALID_STRING ? "; write names in UTF-8" : "";
   throw Error(Error::Kind::run, "",
-              std::string("cannot draw the chart: ") + cairo_status_to_string(status) + remedy);
+              std::string("cannot draw the chart: ") + cairo_status_to_string(status));
 }
 
 /// The height of a panel's axes, at least that of its legend.
@@ -116,7 +116,7 @@ void Drawing::font(bool bold) {
 
 double Drawing::text_width(const std::string& words) const {
   cairo_text_extents_t extents;
-  cairo_text_extents(c_, words.c_str(), &extents);
+  cairo_text_extents(c_, valid_utf8(words).c_str(), &extents);
   return extents.x_advance;
 }
 
@@ -135,7 +135,7 @@ std::string Drawing::fitted(std::string words, double most) const {
 void Drawing::text(double x, double y, const std::string& words, Align align) {
   const double share = align == Align::left ? 0 : align == Align::center ? 0.5 : 1;
   cairo_move_to(c_, x - share * text_width(words), y);
-  cairo_show_text(c_, words.c_str());
+  cairo_show_text(c_, valid_utf8(words).c_str());
 }
 
 /// Draws text upwards, centred at (x, y).

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/text.h"
 #include "freshet/error.h"
@@ -87,6 +88,9 @@ class BodyRows {
     time_ = time;
     BodyState body;
     each_number(body, [&](double& x) { x = next("value"); });
+    const double norm2 = std::inner_product(body.orientation.begin(), body.orientation.end(),
+                                            body.orientation.begin(), 0.0);
+    if (!(std::abs(norm2 - 1) < 1e-3)) fail("qx, qy, qz and qw are not a unit quaternion");
     rows_.push_back(body);
     if (rows_.size() == scene_.body.size()) times_[time_] = std::exchange(rows_, {});
   }
@@ -106,7 +110,7 @@ class BodyRows {
   }
   double next(const char* what) {
     const auto number = number_in(take_cell());
-    if (!number || !std::isfinite(*number))
+    if (!number || !(std::abs(*number) <= 3e38))  // the largest float; true for NaN as well
       fail(fmt::format("the {} in column {} is not a finite number", what, column_));
     return *number;
   }

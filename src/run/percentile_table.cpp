@@ -52,6 +52,17 @@ std::string percentile_line(int dimension, std::int64_t step, double time,
   return whole ? line + "\n" : "";
 }
 
+namespace {
+
+void require(bool good, const std::filesystem::path& file, std::size_t row, const char* what) {
+  if (good) return;
+  throw Error(
+      Error::Kind::scene, fmt::format("{}:{}", file.string(), row + 2),
+      fmt::format("{}; put the table back as the run wrote it, or run the scene again", what));
+}
+
+}  // namespace
+
 RangesByStep::RangesByStep(const std::filesystem::path& file, const Scene& scene) {
   const Table table = read_table(file);
   const std::vector<double>& steps = numbers(table, file, "step");
@@ -60,11 +71,15 @@ RangesByStep::RangesByStep(const std::filesystem::path& file, const Scene& scene
     const std::string name = quantity_name(ColorBy(k));
     const auto &low = numbers(table, file, name + " p01"),
                &high = numbers(table, file, name + " p99");
-    for (std::size_t row = 0; row < rows.size(); ++row)
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      require(low[row] <= high[row] && low[row] >= -3e38 && high[row] <= 3e38, file, row,
+              ("the columns of " + name + " are not a range").c_str());
       rows[row][k] = {float(low[row]), float(high[row])};
+    }
   });
   ColorRanges sum;
   for (std::size_t row = 0; row < rows.size(); ++row) {
+    require(steps[row] >= 0 && steps[row] < 9.1e15, file, row, "the step is not a whole number");
     include(sum, rows[row]);
     steps_[std::llround(steps[row])] = sum;
   }

@@ -24,9 +24,9 @@ void check_options(const SurfaceOptions& options) {
   if (options.from < 0)
     throw Error(Error::Kind::scene, fmt::format("option from {}", options.from),
                 "it must be from 0 on");
-  if (options.every < 1)
+  if (options.every < 1 || options.every > 1'000'000'000)
     throw Error(Error::Kind::scene, fmt::format("option every {}", options.every),
-                "it must be from 1 on");
+                "it must be from 1 to 1000000000");
 }
 
 /// The data files that the options choose.

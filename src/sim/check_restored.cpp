@@ -102,8 +102,10 @@ void check_restored(const Checkpoint& c, const Scene& scene) {
   check_indices(c, "whitewater/kind", 3);
   check_ids(c, "whitewater_clock/next_id", "whitewater/id");
   if (const auto* elapsed = array_of(c, "whitewater_clock/elapsed"))
-    if (elapsed->count == 1 && !(number_at<double>(*elapsed, 0) >= 0))
-      fail_for_checkpoint("the time since the whitewater was advanced is negative");
+    if (const double since = elapsed->count == 1 ? number_at<double>(*elapsed, 0) : 0;
+        !(since >= 0 && since <= c.time * (1 + 1e-6)))
+      fail_for_checkpoint(fmt::format(
+          "the time since the whitewater was advanced is {} s, not 0 to {}", since, c.time));
   check_counts(c, scene.outlet.size());
   check_origin(c, scene);
 }

@@ -17,6 +17,22 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// Fails if a force of the caller is NaN or infinite: what follows would blame the time step.
+void check_finite(const ParticleView& fluid, double time, std::span<const double> acceleration) {
+  const auto bad = std::find_if(acceleration.begin(), acceleration.end(),
+                                [](double a) { return !std::isfinite(a); });
+  if (bad == acceleration.end()) return;
+  const auto D = std::size_t(fluid.dimension);
+  const std::size_t i = std::size_t(bad - acceleration.begin()) / D;
+  std::string place;
+  for (std::size_t k = 0; k < D; ++k)
+    place += fmt::format("{}{:.4g}", k == 0 ? "" : ", ", fluid.position(i, k));
+  throw Error(Error::Kind::run, "set_force",
+              fmt::format("the acceleration of particle {} at ({}), t = {:.6g} s is {}; return "
+                          "finite numbers",
+                          fluid.id[i], place, time, *bad));
+}
+
 }  // namespace
 
 std::unique_ptr<Engine> Simulation::Impl::make_engine_of(const Execution& execution) const {
@@ -61,6 +77,7 @@ void Simulation::set_force(Force force) {
   if (!i.force) return i.engine().set_force({});
   i.engine().set_force([impl = impl_.get()](double time, std::span<double> acceleration) {
     impl->force(impl->fluid(), time, acceleration);
+    check_finite(impl->fluid(), time, acceleration);
   });
 }
 

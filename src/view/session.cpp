@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "freshet/checkpoint_file.h"
 #include "freshet/scene_keys.h"
@@ -76,7 +77,8 @@ void Session::Worker::play(bool playing) {
 
 void Session::Worker::step(std::int64_t count) {
   playing_ = false;
-  steps_left_ += count;
+  if (failed_ || !(live_ || played_)) return;  // nothing would ever take these steps
+  steps_left_ = std::min(steps_left_, std::numeric_limits<std::int64_t>::max() - count) + count;
 }
 
 void Session::Worker::restart() {

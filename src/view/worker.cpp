@@ -73,7 +73,7 @@ bool Session::Worker::take_requests() {
     guard(request);
     lock.lock();
   }
-  if (busy_ && steps_left_ == 0) {  // published before others see that all is done
+  if (busy_ && (steps_left_ == 0 || !active())) {  // published before others see that all is done
     lock.unlock();
     publish();
     lock.lock();

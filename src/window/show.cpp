@@ -119,6 +119,22 @@ Result result_of(view::Session& session, Loop& loop) {
   return r;
 }
 
+/// Writes the picture. An error names the option of this command, which has no `output`.
+void write_screenshot(const std::string& file, const Image& image) {
+  try {
+    write_file(file, encode_png(image));
+  } catch (const Error& e) {
+    std::vector<Diagnostic> all = e.diagnostics();
+    for (Diagnostic& d : all) {
+      const std::string named = "`output`";
+      if (const auto at = d.message.find(named); at != std::string::npos)
+        d.message.replace(at, named.size(), "`screenshot`");
+      d.options = {"screenshot"};
+    }
+    throw Error(e.kind(), std::move(all));
+  }
+}
+
 void take_screenshot(view::Session& session, Loop& loop, const Options& o) {
   const auto ready = session.wait();
   if (!ready->problems.empty()) throw Error(Error::Kind::scene, ready->problems);
@@ -132,7 +148,7 @@ void take_screenshot(view::Session& session, Loop& loop, const Options& o) {
   const auto last = session.wait();
   if (!last->problems.empty()) throw Error(Error::Kind::run, last->problems);
   const Image image = loop.context().read();
-  write_file(o.screenshot, encode_png(image));
+  write_screenshot(o.screenshot, image);
 }
 
 }  // namespace

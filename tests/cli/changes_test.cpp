@@ -116,6 +116,10 @@ TEST(New, CopiesASceneWithTheFilesThatItReads) {
   EXPECT_TRUE(contains(error_of({"new", "knot", file}), file + ": error: exists already"));
   // the mesh is there already, and is the same
   EXPECT_EQ(freshet({"new", "knot", (folder / "mine/other.toml").string()}).code, 0);
+  write_text(folder / "victim", "precious");
+  std::filesystem::create_symlink(folder / "victim", folder / "mine/linked.toml.part");
+  EXPECT_EQ(freshet({"new", "knot", (folder / "mine/linked.toml").string()}).code, 0);
+  EXPECT_EQ(read_text(folder / "victim"), "precious");
   write_text(folder / "mine/meshes/knot.obj", "mine");
   EXPECT_TRUE(contains(error_of({"new", "knot", (folder / "mine/third.toml").string()}),
                        "knot.obj: error: exists already"));

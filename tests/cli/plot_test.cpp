@@ -287,6 +287,15 @@ TEST(Plot, LeavesNoPartialPictureOnAFullDisk) {
   EXPECT_EQ(files_below(folder.path()), (std::set<std::string>{"run/observables.csv"}));
 }
 
+TEST(Plot, DrawsRunsWhoseNamesAreNotUtf8) {
+  const TemporaryFolder folder;
+  const auto r = freshet({"plot", run_in(folder / "\xFF\nrun")});
+  EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_EQ(lines_of(r.out).size(), 2u) << r.out;
+  EXPECT_TRUE(contains(r.out, "\xFF\\nrun/plots/observables.svg\n")) << r.out;
+  EXPECT_GT(panels_in(folder / "\xFF\nrun/plots/observables.svg"), 0u);
+}
+
 TEST(Plot, DrawsMeasuredTables) {
   const TemporaryFolder folder;
   const std::string run = run_in(folder.path()), svg = (folder / "gauge.svg").string();

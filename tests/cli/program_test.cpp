@@ -55,6 +55,23 @@ TEST(Program, RejectsWrongArguments) {
   EXPECT_TRUE(contains(usage_error({"run", article, "--threads", "0"}), "--threads"));
   EXPECT_TRUE(contains(usage_error({"run", article, "--threads", "many"}), "--threads"));
   EXPECT_TRUE(contains(usage_error({"completion", "tcsh"}), "tcsh"));
+  EXPECT_TRUE(contains(usage_error({"bench", article, "--compare", ""}), "an empty value"));
+  EXPECT_TRUE(contains(usage_error({"measure", "no_run", "--probes", ""}), "an empty value"));
+  // 2^63, which CLI11 replaces by 2^63 - 1
+  const std::string huge = "9223372036854775808";
+  EXPECT_TRUE(contains(usage_error({"surface", "no_run", "--every", huge}), huge));
+  EXPECT_TRUE(contains(usage_error({"surface", "no_run", "--to", huge}), huge));
+}
+
+TEST(Program, ViewIgnoresNoChange) {
+  const TemporaryFolder run;
+  const std::string folder = run.path().string();
+  EXPECT_TRUE(contains(usage_error({"view", folder, "--set", "time.end=1"}),
+                       "--set, --unset: error: these change a scene, not a finished run"));
+  EXPECT_TRUE(contains(usage_error({"view", folder, "--solver", "dfsph"}), "not a finished run"));
+  EXPECT_TRUE(contains(usage_error({"view", "--replay", "log.toml", "--set", "time.end=1"}),
+                       "not a log of actions"));
+  EXPECT_TRUE(contains(usage_error({"view", article, "--replay", "log.toml"}), "--replay"));
 }
 
 TEST(Program, ListsBundledScenes) {

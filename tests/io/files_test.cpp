@@ -2,6 +2,7 @@
 #include "io/files.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 
@@ -57,6 +58,28 @@ TEST(WriteFile, ReplacesAPartialFileAndFollowsNoLink) {
   EXPECT_EQ("three", text_of("c"));
   EXPECT_EQ("precious", text_of("victim"));
   EXPECT_EQ(4, std::distance(std::filesystem::directory_iterator(folder), {}));
+}
+
+/// The rename would replace /dev/null, for root, and every FIFO.
+TEST(WriteFile, ReplacesNoPipeAndNoDevice) {
+  const auto folder = std::filesystem::path(::testing::TempDir()) / "freshet_files_pipe_test";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  ASSERT_EQ(0, ::mkfifo((folder / "pipe").c_str(), 0600));
+  std::filesystem::create_symlink("/dev/null", folder / "null");
+  const auto refusal = [&](const char* name) -> std::string {
+    try {
+      write_file(folder / name, "one");
+    } catch (const Error& e) {
+      return e.what();
+    }
+    return "written";
+  };
+  EXPECT_NE(std::string::npos, refusal("pipe").find("this is a named pipe (FIFO)"));
+  EXPECT_NE(std::string::npos, refusal("null").find("this is a device"));
+  EXPECT_TRUE(std::filesystem::is_fifo(folder / "pipe"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "null"));
+  EXPECT_EQ(2, std::distance(std::filesystem::directory_iterator(folder), {}));
 }
 
 }  // namespace

@@ -83,7 +83,10 @@ TEST(ReadBodies, RejectsDamagedTables) {
     }
   EXPECT_EQ("bodies.csv:3: error: this line has 4 values, and the first line names 22 columns",
             refused(row(1, "a") + "1,0.5,b,1\n" + row(2, "a")));
-  for (const char* value : {"nan", "inf", "", "1x", "1e999"})
+  std::string turned = row(1, "a");
+  turned.replace(turned.find("0,0,0,1"), 7, "0,5,0,1");
+  EXPECT_EQ("bodies.csv:2: error: qx, qy, qz and qw are not a unit quaternion", refused(turned));
+  for (const char* value : {"nan", "inf", "", "1x", "1e999", "1e300"})
     EXPECT_EQ("bodies.csv:3: error: the value in column 22 is not a finite number",
               refused(row(1, "a") + row(1, "b", value)))
         << value;

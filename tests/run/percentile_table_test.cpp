@@ -48,6 +48,18 @@ TEST_F(PercentileTable, HasNoRowOfNoParticles) {
   EXPECT_TRUE(read("").up_to(9)[0].is_empty());
 }
 
+TEST_F(PercentileTable, RejectsWhatIsNoRange) {
+  const std::string good = percentile_line(2, 1, 0.5, equal_ranges(1, 7));
+  EXPECT_NO_THROW(read(good));
+  for (const char* value : {"nan", "inf", "1e300", "8"}) {
+    std::string bad = good;
+    bad.replace(bad.find(",1,"), 3, std::string(",") + value + ",");
+    EXPECT_THROW(read(bad), Error) << value;
+  }
+  for (const char* step : {"nan", "-1", "1e300"})
+    EXPECT_THROW(read(step + good.substr(1)), Error) << step;
+}
+
 TEST_F(PercentileTable, RejectsAnotherTable) {
   write_text(file, "step,time [s],speed p01 [m/s]\n1,0.1,0\n");
   EXPECT_THROW(RangesByStep(file, scene), Error);

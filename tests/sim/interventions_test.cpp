@@ -63,6 +63,27 @@ TEST(Interventions, ForceHasTheBitsOfTheSameBodyForce) {
   }
 }
 
+/// Without this error, the run failed ten steps later and blamed the time step.
+TEST(Interventions, ForceThatIsNaNIsNamed) {
+  for (const char* solver : solvers) {
+    SCOPED_TRACE(solver);
+    if (!has_solver(parse_scene(drop(solver), "drop").solver.name)) continue;
+    Simulation sim = simulation_of(drop(solver));
+    sim.set_force([](const ParticleView&, double time, std::span<double> acceleration) {
+      if (time > 0.004) acceleration[3] = std::nan("");
+    });
+    std::string error;
+    try {
+      for (int k = 0; k < 100; ++k) sim.step();
+    } catch (const Error& e) {
+      error = e.what();
+    }
+    EXPECT_TRUE(error.starts_with("set_force: error: the acceleration of particle ")) << error;
+    EXPECT_NE(std::string::npos, error.find("is nan; return finite numbers")) << error;
+    EXPECT_LT(sim.time(), 0.01);
+  }
+}
+
 TEST(Interventions, GravityChangesFromTheNextStepOn) {
   for (const char* solver : solvers) {
     SCOPED_TRACE(solver);

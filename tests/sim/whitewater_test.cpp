@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "sim/forced.h"
 #include "sim/same_bits.h"
@@ -142,6 +143,44 @@ TEST(WhitewaterOfScenes, DependsOnItsSeed) {
   run(b, 0.5);
   EXPECT_GT(a.whitewater().size(), 20u);
   EXPECT_FALSE(have_same_bits(a.frame().whitewater, b.frame().whitewater));
+}
+
+/// Restores a checkpoint in which one number is another, and goes on.
+template <class T> std::string outcome_of_forged(const std::string& name, std::size_t at, T value) {
+  Simulation sim = simulation_of(breaking(2, "wcsph", much));
+  run(sim, 0.45);
+  Checkpoint c = sim.checkpoint();
+  const auto a = std::find_if(c.arrays.begin(), c.arrays.end(),
+                              [&](const StateArray& b) { return b.name == name; });
+  if (a == c.arrays.end()) return "no " + name;
+  std::memcpy(a->bytes.data() + at * sizeof value, &value, sizeof value);
+  try {
+    sim.restore(c);
+    run(sim, 0.5);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  for (const Real x : sim.frame().whitewater.x)
+    if (!std::isfinite(x)) return "NaN";
+  return "good";
+}
+
+TEST(WhitewaterOfScenes, IsCheckedInCheckpoints) {
+  const auto expect = [](const std::string& words, const std::string& outcome) {
+    EXPECT_NE(std::string::npos, outcome.find(words)) << outcome;
+  };
+  expect("good", outcome_of_forged("whitewater/kind", 0, 1));
+  expect("not 0 to 2", outcome_of_forged("whitewater/kind", 0, 3));
+  expect("NaN or infinite", outcome_of_forged("whitewater/v", 0, Real(NAN)));
+  expect("the next id is", outcome_of_forged("whitewater_clock/next_id", 0, std::uint64_t(0)));
+  expect("since the whitewater", outcome_of_forged("whitewater_clock/elapsed", 0, -1.0));
+  expect("since the whitewater", outcome_of_forged("whitewater_clock/elapsed", 0, 1e300));
+  // particles far away and fast ones leave the domain
+  expect("good", outcome_of_forged("whitewater/x", 0, Real(3e38)));
+  expect("good", outcome_of_forged("whitewater/x", 1, Real(-3e38)));
+  expect("good", outcome_of_forged("whitewater/v", 0, Real(3e38)));
+  expect("good", outcome_of_forged("whitewater/age", 0, Real(3e38)));
+  expect("good", outcome_of_forged("whitewater/life", 0, Real(3e38)));
 }
 
 }  // namespace

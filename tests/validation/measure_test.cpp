@@ -178,6 +178,9 @@ TEST(ValidationCaseFile, RejectsInvalidFiles) {
       refusal("title = \"t\"\nsource = \"s\"\nsolvers = [\"sph\"]\nspacings = [0.1]\n" + measure)
           .find("unknown solver sph"));
   EXPECT_NE(std::string::npos, refusal("title = \n").find("case.toml:1:"));
+  std::string deep = "a";
+  for (int k = 0; k < 100000; ++k) deep += ".a";
+  EXPECT_NE(std::string::npos, refusal(deep + " = 1\n").find("is it a validation case?"));
   EXPECT_NE(std::string::npos,
             refusal(good + "[[measure]]\nname = \"m\"\ny = \"y\"\n").find("needs one of expected"));
   EXPECT_NE(std::string::npos, refusal(good + "steps = [0.1]\n" + measure).find("exactly one of"));

@@ -174,8 +174,48 @@ TEST(ViewActions, TextOfALogIsReadToTheSameNumbers) {
     EXPECT_EQ(read.actions[k].change, log.actions[k].change);
     EXPECT_EQ(read.actions[k].push, log.actions[k].push);
   }
-  EXPECT_THROW(parse_log("[[action]]\nstep = 1\n", "x.toml"), Error);
-  EXPECT_THROW(parse_log("= 3", "x.toml"), Error);
+}
+
+std::string refusal_of_log(const std::string& text) {
+  try {
+    parse_log(text, "x.toml");
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "no error in " + text;
+}
+
+TEST(ViewActions, LogsThatAreDamagedAreRejected) {
+  const auto expect = [](const std::string& text, const std::string& words) {
+    const std::string refusal = refusal_of_log(text);
+    EXPECT_NE(std::string::npos, refusal.find(words)) << refusal;
+  };
+  expect("= 3", "x.toml:1:1: error");
+  expect("[[action]]\nstep = 1\ntime = 0\nreleased = true\n", "x.toml:1: error: scene is missing");
+  const std::string scene = "scene = \"a.toml\"\n", action = scene + "[[action]]\n";
+  expect(scene + "acton = 1\n", "x.toml:2: error: unknown key acton");
+  expect(scene + "action = 1\n", "action must be tables");
+  expect(scene + "override = [\"x\"]\n", "override must be tables");
+  expect(action, "step is missing");
+  const auto pushed = [&](const std::string& center, const std::string& rest) {
+    return action + "step = 1\ntime = 0.1\ncenter = " + center + "\n" + rest;
+  };
+  EXPECT_EQ(parse_log(pushed("[1, 2, 3]", "radius = 1\npull = [1, 2, 3]"), "x.toml").actions.size(),
+            1u);
+  expect(pushed("[1, 2]", "radius = 1\npull = [1, 2, 3]"), "center must be three numbers");
+  expect(pushed("[1, 2, 3]", "radius = 1\npull = [nan, 2, 3]"), "pull must be a number of at most");
+  expect(pushed("[1, 2, 3]", "radius = 1\npull = [1e300, 2, 3]"), "pull must be a number");
+  expect(pushed("[1, 2, 3]", "radius = 0\npull = [1, 2, 3]"), "radius must be greater than 0");
+  expect(pushed("[1, 2, 3]", "radius = \"r\"\npull = [1, 2, 3]"), "radius must be a number");
+  expect(pushed("[1, 2, 3]", "radius = 1\npul = [1, 2, 3]"), "x.toml:7: error: unknown key pul");
+  expect(pushed("[1, 2, 3]", "body = 4294967296\npull = [1, 2, 3]"), "body must be a whole number");
+  expect(action + "step = -1\ntime = 0\nreleased = true\n", "step must be a whole number from 0");
+  expect(action + "step = 1.5\ntime = 0\nreleased = true\n", "step must be a whole number from 0");
+  expect(action + "step = 1\ntime = 0\nreleased = false\n", "released must be true");
+  expect(action + "step = 1\ntime = 0\nkey = \"air\"\n", "value is missing");
+  std::string deep = "a";
+  for (int k = 0; k < 100000; ++k) deep += ".a";
+  expect(scene + deep + " = 1\n", "x.toml:2:1: error: keys or brackets are nested too deeply");
 }
 
 }  // namespace

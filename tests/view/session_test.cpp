@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <thread>
 
 #include "cli/files.h"
@@ -230,6 +231,21 @@ TEST_F(ViewSession, ProblemOfAStepEndsTheRunUntilItStartsAgain) {
   EXPECT_TRUE(s->failed);
   EXPECT_FALSE(s->problems.empty());
   session.play(true);
+  EXPECT_FALSE(session.wait()->playing);
+}
+
+/// `freshet view --replay LOG --steps 4 --screenshot FILE` waited for ever.
+TEST_F(ViewSession, StepsOfWhatCannotBeOpenedAreNotWaitedFor) {
+  Session session(one_);
+  session.open(folder_.path() / "missing.toml");
+  session.step(4);
+  EXPECT_FALSE(session.wait()->problems.empty());
+  session.open(file_);
+  session.step(3);
+  EXPECT_EQ(3, session.wait()->frame.step);
+  session.step(std::numeric_limits<std::int64_t>::max());
+  session.step(std::numeric_limits<std::int64_t>::max());
+  session.play(false);
   EXPECT_FALSE(session.wait()->playing);
 }
 

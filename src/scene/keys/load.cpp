@@ -49,10 +49,11 @@ constexpr const char* syntax_remedies[][2] = {
     {"expected '='", "write KEY = VALUE"},
     {"not representable", "write it with a point or an exponent: 1e20"},
     {"invalid utf-8", "save the file as UTF-8"},
-    {"expected keys, tables", "write KEY = VALUE or [TABLE]; is it a scene file?"}};
+    {"expected keys, tables", "write KEY = VALUE or [TABLE]; is it a {}?"}};
 
-/// The parser's message about a syntax error, reworded, with a remedy if one is known.
-std::string syntax_message(std::string words) {
+/// The parser's message about a syntax error, reworded, with a remedy if one is known. `noun`: what
+/// the file should be.
+std::string syntax_message(std::string words, const char* noun) {
   constexpr std::string_view parsing = "Error while parsing ";
   if (const auto colon = words.find(": "); words.starts_with(parsing) && colon != words.npos) {
     const std::string part = words.substr(parsing.size(), colon - parsing.size());
@@ -65,7 +66,8 @@ std::string syntax_message(std::string words) {
         fmt::format("this file is not TOML: {}{}", char(std::tolower(words[0])), words.substr(1));
   }
   for (const auto& [symptom, remedy] : syntax_remedies)
-    if (words.find(symptom) != std::string::npos) return fmt::format("{}; {}", words, remedy);
+    if (words.find(symptom) != std::string::npos)
+      return fmt::format("{}; {}", words, fmt::format(fmt::runtime(remedy), noun));
   return words;
 }
 
@@ -148,18 +150,18 @@ void throw_errors(std::vector<Diagnostic> errors, const SceneReader& reader,
   throw Error(Error::Kind::scene, std::move(errors));
 }
 
-toml::table parse_toml(const std::string& text, const std::string& name) {
+toml::table parse_toml(const std::string& text, const std::string& name, const char* noun) {
   if (const NestingScan scan(text); scan.too_deep())
     throw Error(Error::Kind::scene, fmt::format("{}:{}:1", name, scan.line()),
                 fmt::format("keys or brackets are nested too deeply in this line; at most {} "
-                            "levels are allowed; is it a scene file?",
-                            NestingScan::deepest));
+                            "levels are allowed; is it a {}?",
+                            NestingScan::deepest, noun));
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& e) {
     const auto at = e.source().begin;
     throw Error(Error::Kind::scene, fmt::format("{}:{}:{}", name, at.line, at.column),
-                syntax_message(std::string(e.description())));
+                syntax_message(std::string(e.description()), noun));
   }
 }
 
