@@ -76,7 +76,7 @@ void Session::Worker::play(bool playing) {
 
 void Session::Worker::step(std::int64_t count) {
   playing_ = false;
-  steps_left_ += count;
+  if ((live_ || played_) && !failed_) steps_left_ += count;
 }
 
 void Session::Worker::restart() {

@@ -89,7 +89,8 @@ class Viewer {
   gl::Painter painter_;
   std::shared_ptr<const view::Snapshot> shown_;
   std::shared_ptr<const Scene> scene_;  // of the painter
-  Scene coloring_scene_;                // with the colours that are chosen
+  view::Stage stage_;
+  Scene coloring_scene_;  // with the colours that are chosen
   std::string name_;
   view::Camera camera_;
   view::History history_;
