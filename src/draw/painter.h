@@ -13,6 +13,9 @@ namespace freshet::gl {
 
 enum class Style { balls, water };
 
+/// The background of water.
+inline constexpr view::Tint daylight{0.80f, 0.87f, 0.93f, 1};
+
 /// How a frame is shown.
 struct Look {
   Style style = Style::balls;  ///< water in 3D only

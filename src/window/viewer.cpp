@@ -13,8 +13,6 @@ namespace {
 
 view::Tint tint_of(Color c) { return {float(c.r) / 255, float(c.g) / 255, float(c.b) / 255, 1}; }
 
-constexpr view::Tint daylight{0.80f, 0.87f, 0.93f, 1};
-
 }  // namespace
 
 Viewer::Viewer(view::Session& session, bool software) : session_(session) {
@@ -102,7 +100,7 @@ void Viewer::color_frame() {
 void Viewer::draw(const gl::Painter::Region& region) {
   const bool water = look.style == gl::Style::water && scene_ && scene_->dimension() == 3;
   look.background =
-      water || !background_of_scene_ || !scene_ ? daylight : tint_of(ground_color(*scene_));
+      water || !background_of_scene_ || !scene_ ? gl::daylight : tint_of(ground_color(*scene_));
   look.marked.reset();
   if (selected_) look.marked = view::find_id(shown_->frame, *selected_);
   painter_.draw(camera_, look, region);

@@ -43,9 +43,14 @@ void fit() {
   moved = false;
 }
 
+void choose_background() {
+  const bool water = look.style == gl::Style::water && !stage.flat;
+  look.background = water ? gl::daylight : stage.background;
+}
+
 void take_stage() {
   painter->set_stage(stage);
-  look.background = stage.background;
+  choose_background();
 }
 
 }  // namespace
@@ -94,7 +99,10 @@ FRESHET_EXPORT int freshet_draw(int width, int height) {
 }
 
 /// Balls (0) or water (1).
-FRESHET_EXPORT void freshet_style(int style) { look.style = gl::Style(style); }
+FRESHET_EXPORT void freshet_style(int style) {
+  look.style = gl::Style(style);
+  choose_background();
+}
 /// A slice across an axis (0 to 2), its middle as a part of the domain; -1: everything.
 FRESHET_EXPORT void freshet_slice(int axis, double part) {
   look.slice = {};

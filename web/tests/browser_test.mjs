@@ -223,7 +223,7 @@ test('walls of points, and libraries that the page lacks', async () => {
   };
   const points = Array.from({ length: 40 }, (_, k) => `${0.5 + 0.0125 * k},${0.3}`).join('\n');
   await page.value(`freshet.stage.runner.call('write', { path: 'ramp.csv', bytes: new TextEncoder().encode('x,y\\n' + ${JSON.stringify(points)} + '\\n') })`);
-  const tank = '[domain]\nmax = [1.0, 1.0]\n[particles]\nspacing = 0.025\n[fluid]\nshape = "box"\nmin = [0.0, 0.0]\nmax = [0.2, 0.2]\n[solver]\nname = "wcsph"\n[time]\nend = 0.5\n';
+  const tank = '[domain]\nmax = [1.0, 1.0]\n[particles]\nspacing = 0.025\n[fluid]\nshape = "box"\nmin = [0.0, 0.0]\nmax = [0.2, 0.2]\n[solver]\nname = "wcsph"\n[time]\nend = 0.5\nstep = 0.0005\n';
   await run(tank);
   const without = await page.value(drawn);
   await run(`${tank}[[wall]]\nshape = "points"\nfile = "ramp.csv"\n`);
