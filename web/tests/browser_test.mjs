@@ -68,7 +68,7 @@ test('the first page is at most 1 MB compressed', () => {
   const first = ['index.html', 'style.css', 'freshet_2d.js', 'freshet_2d.wasm', 'draw.wasm', 'docs/article.zh-CN.md', 'scenes/article.toml',
     ...fs.readdirSync(folder).filter((f) => f.endsWith('.js') && !/^(freshet|editor)/.test(f))];
   const bytes = first.reduce((sum, f) => sum + gzipSync(fs.readFileSync(path.join(folder, f)), { level: 9 }).length, 0);
-  console.log(`  first page: ${(bytes / 1e6).toFixed(2)} MB compressed`);
+  console.log(`  first page: ${(bytes / 1e6).toFixed(3)} MB compressed`);
   assert.ok(bytes <= 1e6, `${bytes} bytes`);
 });
 
