@@ -127,10 +127,11 @@ void Context::watch_events() {
 /// Dear ImGui sees keys at pictures only, before version 1.87. One that was pressed and released
 /// between two of them stays down for a picture.
 void Context::hold_short_keys() {
+  [[maybe_unused]] const std::vector<int> pressed = std::exchange(pressed_, {});
 #if IMGUI_VERSION_NUM < 18700
   auto& down = ImGui::GetIO().KeysDown;
   for (const int key : std::exchange(held_, {})) down[key] = false;
-  for (const int key : std::exchange(pressed_, {})) {
+  for (const int key : pressed) {
     if (key < 0 || key >= int(std::size(down)) || down[key]) continue;
     down[key] = true;
     held_.push_back(key);

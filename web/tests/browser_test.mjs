@@ -154,6 +154,19 @@ test('buttons, keys and the pointer', async () => {
   noErrors(page);
 });
 
+test('a lost graphics context comes back', async () => {
+  const page = await visit(`${plain.address}?lang=en`);
+  const before = await page.value(drawn);
+  await page.value('(window.lose = freshet.stage.view.gl.getExtension("WEBGL_lose_context")).loseContext()');
+  await page.until('freshet.stage.view.lost');
+  const steps = await page.value(`${state}.steps`);
+  await page.until(`${state}.steps > ${steps + 20}`);
+  await page.value('lose.restoreContext()');
+  await page.until('!freshet.stage.view.lost');
+  assert.ok(await page.value(drawn) > before / 2);
+  noErrors(page);
+});
+
 test('the page in Chinese, without the headers', async () => {
   const page = await visit(`${plain.address}?lang=zh`);
   assert.equal(await page.value('crossOriginIsolated'), false);
