@@ -3,7 +3,7 @@
 # libraries. The headers of toml++ and fmt are those of this system. They are copied, since the other
 # headers of /usr/include are not for WebAssembly.
 set(FRESHET_RUN OFF)
-set(FRESHET_SOLVERS mueller2003 wcsph delta_sph pcisph iisph dfsph)
+set(FRESHET_SOLVERS mueller2003 wcsph delta_sph pcisph iisph dfsph pbf)
 set(FRESHET_REFERENCE_SOLVERS mueller2003)  # of the article's scene
 set(FRESHET_REFERENCE_3D OFF)
 set(headers ${PROJECT_BINARY_DIR}/headers)

@@ -12,10 +12,11 @@ const from = (...parts) => path.join(root, ...parts);
 
 fs.rmSync(page, { recursive: true, force: true });
 fs.cpSync(from('web/page'), page, { recursive: true });
-// A module is a script; the worker imports it.
-for (const name of ['freshet', 'freshet_2d']) {
+// A module is a script; the worker or the page imports it.
+for (const name of ['freshet', 'freshet_2d', 'draw']) {
   const script = fs.readFileSync(path.join(module, `${name}.js`), 'utf8');
-  fs.writeFileSync(path.join(page, `${name}.js`), script + '\nexport default createFreshet;\n');
+  const create = name === 'draw' ? 'createDrawing' : 'createFreshet';
+  fs.writeFileSync(path.join(page, `${name}.js`), `${script}\nexport default ${create};\n`);
   fs.copyFileSync(path.join(module, `${name}.wasm`), path.join(page, `${name}.wasm`));
 }
 

@@ -13,9 +13,9 @@
 namespace freshet::gl {
 namespace {
 
-constexpr int map_size = 256;
 constexpr double disc_diameter = 1.15, ball_diameter = 1;  // [spacings]; discs close the gaps
 constexpr double splat_radius = 0.95;                      // of a ball of the liquid [spacings]
+constexpr view::Matrix resting_place{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 constexpr float floor_reach = 2.2f;  // of the floor over half the domain's diagonal
 
 Program program(const char* name, const ShaderSource& s) { return {name, s.vertex, s.fragment}; }
@@ -42,6 +42,7 @@ struct Painter::Sight {
 
 Painter::Painter()
     : ball_(program("ball", ball_shader)),
+      disc_(program("disc", disc_shader)),
       solid_(program("solid", solid_shader)),
       line_(program("line", line_shader)),
       floor_(program("floor", floor_shader)),
@@ -62,18 +63,19 @@ Painter::Painter()
 
 Painter::~Painter() { glDeleteTextures(1, &map_); }
 
-void Painter::set_scene(const Scene& scene) {
-  flat_ = scene.dimension() == 2;
-  spacing_ = float(scene.particles.spacing);
-  const auto corner = [&](const Vector& v) { return Point{v[0], v[1], flat_ ? 0 : v[2]}; };
-  low_ = corner(scene.domain.min);
-  high_ = corner(scene.domain.max);
+void Painter::set_stage(const view::Stage& stage) {
+  flat_ = stage.flat;
+  spacing_ = stage.spacing;
+  glow_ = stage.glow;
+  low_ = stage.low;
+  high_ = stage.high;
   parts_.clear();
-  for (view::Part& part : view::parts_of(scene)) {
-    Moving moving{std::move(part), Vertices({3, 3}), Vertices({3}), {}};
-    moving.triangles.fill(moving.part.triangles);
-    moving.lines.fill(moving.part.lines);
-    moving.placement = view::placement_of(moving.part, {});
+  for (const view::Part& part : stage.parts) {
+    Moving moving{part.kind,     part.fill,     part.edge,    Vertices({3, 3}),
+                  Vertices({3}), Vertices({4}), resting_place};
+    moving.triangles.fill(part.triangles);
+    moving.lines.fill(part.lines);
+    moving.points.fill(part.points);
     parts_.push_back(std::move(moving));
   }
   const Point middle = 0.5 * (low_ + high_);
@@ -86,32 +88,14 @@ void Painter::set_scene(const Scene& scene) {
   floor_square_.fill(square);
 }
 
-void Painter::set_frame(const Frame& frame, const Coloring& coloring) {
-  const std::size_t n = frame.size(), D = std::size_t(frame.dimension);
-  const float scale = coloring.high > coloring.low ? 1 / (coloring.high - coloring.low) : 1;
-  const bool liquids = !coloring.liquids.empty();
-  std::vector<float> numbers(4 * n);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t d = 0; d < D; ++d) numbers[4 * i + d] = frame.x[D * i + d];
-    const float value = coloring.values[i];
-    numbers[4 * i + 3] = liquids ? (value + 0.5f) / map_size : (value - coloring.low) * scale;
-  }
-  balls_.fill(numbers);
-  std::vector<std::uint8_t> map;
-  for (int k = 0; k < map_size; ++k) {
-    const auto last = liquids ? coloring.liquids.size() - 1 : 0;
-    const Color c = liquids ? coloring.liquids[std::min(std::size_t(k), last)]
-                            : coloring.at(float(k) / (map_size - 1));
-    map.insert(map.end(), {c.r, c.g, c.b, 255});
-  }
+void Painter::set_frame(const view::Shown& shown) {
+  balls_.fill(shown.balls);
   glBindTexture(GL_TEXTURE_2D, map_);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, map_size, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, map.data());
-  std::vector<float> foam;
-  for (std::size_t i = 0; i < frame.whitewater.size(); ++i)
-    for (std::size_t d = 0; d < 3; ++d)
-      foam.push_back(d < D ? frame.whitewater.x[D * i + d] : spacing_);
-  foam_points_.fill(foam);
-  for (Moving& m : parts_) m.placement = view::placement_of(m.part, frame);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, view::map_size, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+               shown.map.data());
+  foam_points_.fill(shown.foam);
+  for (std::size_t k = 0; k < parts_.size() && 16 * (k + 1) <= shown.placements.size(); ++k)
+    std::copy_n(&shown.placements[16 * k], 16, parts_[k].placement.begin());
 }
 
 void Painter::draw_floor(const Sight& s, const Look& look) {
@@ -134,10 +118,10 @@ void Painter::draw_floor(const Sight& s, const Look& look) {
 void Painter::draw_stage(const Sight& s, const Look& look) {
   const auto shown = [&](const Moving& m) {
     using Kind = view::Part::Kind;
-    return m.part.kind == Kind::wall    ? look.walls
-           : m.part.kind == Kind::body  ? look.bodies
-           : m.part.kind == Kind::probe ? look.probes
-                                        : true;
+    return m.kind == Kind::wall    ? look.walls
+           : m.kind == Kind::body  ? look.bodies
+           : m.kind == Kind::probe ? look.probes
+                                   : true;
   };
   if (look.floor && !flat_) draw_floor(s, look);
   for (const bool filled : {true, false}) {
@@ -151,28 +135,65 @@ void Painter::draw_stage(const Sight& s, const Look& look) {
     for (const Moving& m : parts_) {
       if (!shown(m)) continue;
       p.set("placement", m.placement);
-      p.set("fill", filled ? m.part.fill : m.part.edge);
+      p.set("fill", filled ? m.fill : m.edge);
       if (filled) m.triangles.draw(GL_TRIANGLES);
       else m.lines.draw(GL_LINES);
     }
   }
 }
 
+/// The program of balls or, in 2D, of discs, in one colour until "fill" is changed.
+const Program& Painter::use_balls(const Sight& s, const Look& look) const {
+  const Program& p = flat_ ? disc_ : ball_;
+  p.use();
+  p.set("view", s.view);
+  p.set("projection", s.projection);
+  p.set("radius", s.radius);
+  p.set("height", float(s.height));
+  p.set("grown", flat_ ? 1.0f : 0.0f);  // half a pixel around
+  p.set("marked", -1);
+  p.set("fill", view::Tint{0, 0, 0, 0});
+  p.set("slice_axis", look.slice.axis);
+  p.set("slice_middle", float(look.slice.middle));
+  p.set("slice_half", float(look.slice.thickness / 2));
+  p.set_texture("map", 0, map_);
+  if (flat_) p.set("softness", look.soft ? 1.0f : 0.0f);
+  else p.set("light", float(s.light.x), float(s.light.y), float(s.light.z));
+  return p;
+}
+
+/// Walls of points.
+void Painter::draw_points(const Sight& s, const Look& look) {
+  if (!look.walls) return;
+  for (const Moving& m : parts_) {
+    if (m.points.count() == 0) continue;
+    const Program& p = use_balls(s, look);
+    if (flat_) p.set("glow", 0.0f);
+    p.set("fill", m.fill);
+    m.points.draw(GL_POINTS);
+  }
+}
+
 void Painter::draw_balls(const Sight& s, const Look& look) {
-  ball_.use();
-  ball_.set("view", s.view);
-  ball_.set("projection", s.projection);
-  ball_.set("radius", s.radius);
-  ball_.set("height", float(s.height));
-  ball_.set("light", float(s.light.x), float(s.light.y), float(s.light.z));
-  ball_.set("flatness", flat_ ? 1.0f : 0.0f);
-  ball_.set("grown", flat_ ? 1.0f : 0.0f);  // half a pixel around: edges are not smoothed
-  ball_.set("marked", look.marked ? int(*look.marked) : -1);
-  ball_.set("slice_axis", look.slice.axis);
-  ball_.set("slice_middle", float(look.slice.middle));
-  ball_.set("slice_half", float(look.slice.thickness / 2));
-  ball_.set_texture("map", 0, map_);
+  const Program& p = use_balls(s, look);
+  p.set("marked", look.marked ? int(*look.marked) : -1);
+  if (flat_) return draw_discs(look);
   balls_.draw(GL_POINTS);
+}
+
+/// Discs with smooth edges blend, and so does the light of glowing dots.
+void Painter::draw_discs(const Look& look) {
+  const bool glows = glow_ > 0;
+  disc_.set("glow", glows ? 1.0f : 0.0f);
+  if (glows) disc_.set("radius", look.size * glow_);
+  if (glows || look.soft) {
+    glEnable(GL_BLEND);
+    glBlendFunc(glows ? GL_ONE : GL_SRC_ALPHA, glows ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+  }
+  balls_.draw(GL_POINTS);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
 }
 
 void Painter::draw_foam(const Sight& s, const Look& look, bool on_water) {
@@ -220,6 +241,7 @@ void Painter::draw(const view::Camera& camera, const Look& look, const Region& r
   glClearColor(look.background.r, look.background.g, look.background.b, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   draw_stage(s, look);
+  draw_points(s, look);
   if (!water) {
     draw_balls(s, look);
   } else {

@@ -32,7 +32,8 @@ GLuint compile(GLenum kind, const char* name, std::string_view source) {
 
 std::string_view shader_prefix() {
 #ifdef __EMSCRIPTEN__
-  return "#version 300 es\nprecision highp float;\nprecision highp int;\n";
+  return "#version 300 es\nprecision highp float;\nprecision highp int;\n"
+         "precision highp sampler2D;\n";
 #else
   return "#version 330 core\n";
 #endif

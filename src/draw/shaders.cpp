@@ -3,36 +3,43 @@
 
 namespace freshet::gl {
 
+namespace {
+
 // A particle is a point whose square covers its ball; `at` holds its position and its place in the
-// colour map. Particles outside of the slice are moved out of sight.
-const ShaderSource ball_shader{
-    R"(
+// colour map, which `fill` replaces if it is not transparent. Particles outside of the slice are
+// moved out of sight.
+constexpr const char* particle_vertex = R"(
 layout(location = 0) in vec4 at;
 uniform mat4 view, projection;
 uniform float radius, height, grown, slice_middle, slice_half;
 uniform int slice_axis, marked;
+uniform vec4 fill;
 uniform sampler2D map;
 out vec3 eye;
 out vec3 color;
+out float pixels;
 void main() {
   vec4 place = view * vec4(at.xyz, 1.0);
   eye = place.xyz;
-  color = texture(map, vec2(at.w, 0.5)).rgb;
+  color = fill.a > 0.0 ? fill.rgb : texture(map, vec2(at.w, 0.5)).rgb;
   float size = radius;
   if (gl_VertexID == marked) { color = vec3(1.0, 0.3, 0.1); size = 1.6 * radius; }
   gl_Position = projection * place;
   gl_PointSize = max(1.0, height * projection[1][1] * size / gl_Position.w + grown);
+  pixels = 0.5 * gl_PointSize;
   float along = slice_axis == 0 ? at.x : slice_axis == 1 ? at.y : at.z;
   if (slice_axis >= 0 && abs(along - slice_middle) > slice_half) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }
-)",
-    R"(
+)";
+
+}  // namespace
+
+const ShaderSource ball_shader{particle_vertex, R"(
 in vec3 eye;
 in vec3 color;
 uniform mat4 projection;
 uniform float radius;
 uniform vec3 light;
-uniform float flatness;
 out vec4 result;
 void main() {
   vec2 c = gl_PointCoord * 2.0 - 1.0;
@@ -42,9 +49,26 @@ void main() {
   vec3 normal = vec3(c, sqrt(1.0 - r2));
   float lit = 0.42 * (0.8 + 0.2 * normal.y) + 0.58 * max(0.0, dot(normal, light));
   float gloss = 0.25 * pow(max(0.0, dot(reflect(-light, normal), normalize(-eye))), 30.0);
-  result = vec4(mix(color * (0.35 + 0.9 * lit) + gloss, color * (0.82 + 0.18 * normal.z), flatness), 1.0);
+  result = vec4(color * (0.35 + 0.9 * lit) + gloss, 1.0);
   vec4 surface = projection * vec4(eye + vec3(0.0, 0.0, radius * normal.z), 1.0);
   gl_FragDepth = 0.5 * surface.z / surface.w + 0.5;
+}
+)"};
+
+// All discs have one depth, so that the first of two that overlap is seen and the second costs
+// little.
+const ShaderSource disc_shader{particle_vertex, R"(
+in vec3 color;
+in float pixels;
+uniform float glow, softness;
+out vec4 result;
+void main() {
+  vec2 c = gl_PointCoord * 2.0 - 1.0;
+  float r2 = dot(c, c);
+  if (r2 > 1.0) discard;
+  float edge = min(1.0, pixels * (1.0 - sqrt(r2)));
+  vec4 disc = vec4(color * (0.82 + 0.18 * sqrt(1.0 - r2)), mix(1.0, edge, softness));
+  result = mix(disc, vec4(color * exp(-r2 / 0.49), 1.0), glow);
 }
 )"};
 

@@ -9,6 +9,7 @@ struct ShaderSource {
 };
 
 extern const ShaderSource ball_shader;       ///< particles as lit balls
+extern const ShaderSource disc_shader;       ///< particles in 2D: discs or glowing dots
 extern const ShaderSource solid_shader;      ///< lit triangles
 extern const ShaderSource line_shader;       ///< lines of one colour
 extern const ShaderSource floor_shader;      ///< the floor with its tiles

@@ -9,15 +9,10 @@
 namespace freshet {
 namespace {
 
-constexpr double finest = 1.0 / 400;   // side of a cell over the floor's longer side
-constexpr int shadow_softness = 5;     // radius of the blur in cells; it is applied three times
+constexpr double finest = 1.0 / 400;  // side of a cell over the floor's longer side
+constexpr int shadow_softness = 5;    // radius of the blur in cells; it is applied three times
 
 }  // namespace
-
-Point light_direction() {
-  const Point l{-0.45, 1, 0.4};
-  return l / norm(l);
-}
 
 Bounds bounds_of(const Solid<3, double>& s) {
   Point half = s.half;

@@ -10,7 +10,10 @@
 namespace freshet {
 
 /// The unit vector towards the light.
-Point light_direction();
+inline Point light_direction() {
+  const Point l{-0.45, 1, 0.4};
+  return l / norm(l);
+}
 
 /// The bounding box. The solid must not be a plane.
 Bounds bounds_of(const Solid<3, double>& solid);

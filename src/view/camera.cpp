@@ -5,41 +5,23 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/model/picture_layout.h"
-
 namespace freshet::view {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double steepest = 89.5 * degree;
 
-Camera flat_camera(Camera camera, const Scene& scene, double aspect) {
-  const PictureRegion region = picture_region(scene);
-  const PictureLayout layout = picture_layout(scene);
-  camera.target = {(region.min[0] + region.max[0]) / 2, (region.min[1] + region.max[1]) / 2, 0};
-  // as much room around the region as a picture of the scene has
-  const double margins = 2.0 * picture_margin;
-  const double tall = region.extent(1) * layout.view.height / (layout.view.height - margins);
-  const double wide = region.extent(0) * layout.view.width / (layout.view.width - margins);
-  camera.height = std::max(tall, wide / aspect);
-  camera.distance = std::max(region.extent(0), region.extent(1));
-  return camera;
-}
-
 }  // namespace
 
-Camera Camera::of(const Scene& scene, double time, double aspect) {
-  Camera camera;
-  camera.flat_ = scene.dimension() == 2;
-  if (camera.flat_) return flat_camera(camera, scene, aspect);
-  const Pose pose = pose_at(scene, time);
-  const Point back = pose.eye - pose.target;
-  camera.target = pose.target;
-  camera.distance = norm(back);
-  camera.yaw = std::atan2(back.x, back.z);
-  camera.pitch = std::asin(std::clamp(back.y / camera.distance, -1.0, 1.0));
-  camera.field_of_view = pose.field_of_view;
-  return camera;
+Camera::Camera(const Start& s, double aspect)
+    : target(s.target),
+      distance(s.distance),
+      yaw(s.yaw),
+      pitch(s.pitch),
+      field_of_view(s.field_of_view),
+      flat_(s.flat) {
+  if (flat_) height = std::max(s.height, s.width / aspect);
+  else distance *= std::max(1.0, s.width / s.height / aspect);  // narrow windows show all, too
 }
 
 void Camera::orbit(double right, double up) {

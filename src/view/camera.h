@@ -13,8 +13,17 @@ using Matrix = std::array<float, 16>;
 /// perspective.
 class Camera {
  public:
-  /// That of the scene's pictures at `time` [s], or one that shows the domain. `aspect`: width over
-  /// height of the window.
+  /// What a camera shows first, in a window of any shape.
+  struct Start {
+    bool flat = false;
+    Point target{};
+    double distance = 1, yaw = 0, pitch = 0, field_of_view = 35;
+    double width = 1, height = 1;  ///< in 2D [m]; in 3D their ratio counts
+  };
+  Camera() = default;
+  /// `aspect`: width over height of the window.
+  Camera(const Start& start, double aspect);
+  /// That of the scene's pictures at `time` [s], or one that shows the domain.
   static Camera of(const Scene& scene, double time, double aspect);
 
   bool flat() const { return flat_; }
@@ -52,5 +61,8 @@ class Camera {
  private:
   bool flat_ = false;
 };
+
+/// The camera of the scene's pictures at `time` [s].
+Camera::Start start_of(const Scene& scene, double time);
 
 }  // namespace freshet::view

@@ -9,6 +9,7 @@
 #include "scene/model/body_mesh.h"
 #include "scene/model/body_shape.h"
 #include "scene/model/outline.h"
+#include "scene/sample/point_cloud.h"
 #include "view/solid_edges.h"
 
 namespace freshet::view {
@@ -98,11 +99,24 @@ void add_surface(Part& part, const Scene::Region& region, bool filled) {
   }
 }
 
+/// The points of a file; none if it cannot be read, as after a run whose inputs are gone.
+void add_points(Part& part, const Scene& scene, const Scene::Region& region) {
+  const auto D = std::size_t(scene.dimension());
+  PointCloud cloud;
+  try {
+    cloud = read_points(region.file, int(D));
+  } catch (const Error&) {
+    return;
+  }
+  for (std::size_t i = 0; i + D <= cloud.x.size(); i += D)
+    for (std::size_t d = 0; d < 4; ++d) part.points.push_back(d < D ? float(cloud.x[i + d]) : 0);
+}
+
 /// A wall or body. Tanks, which hold the fluid, are edges only.
 void add_region(Part& part, const Scene& scene, const Scene::Region& region) {
   const bool solid = region.side == Side::outside;
   if (region.shape == Shape::plane) return add_plane(part, scene, region);
-  if (region.shape == Shape::points) return;
+  if (region.shape == Shape::points) return add_points(part, scene, region);
   if (scene.dimension() == 3) return add_surface(part, region, solid);
   add_outline(part, region, scene.particles.spacing, solid);
 }

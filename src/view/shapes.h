@@ -14,12 +14,13 @@ struct Tint {
   float r, g, b, a;
 };
 
-/// Triangles and lines that move together.
+/// Triangles, lines and points that move together.
 struct Part {
   enum class Kind { domain, wall, body, probe };
   Kind kind = Kind::domain;
   std::vector<float> triangles;  ///< position and normal of each corner: six numbers
   std::vector<float> lines;      ///< positions of both ends: three numbers each
+  std::vector<float> points;     ///< position and 0: four numbers each
   Tint fill{}, edge{};
   int body = -1;  ///< index of the body that carries it; -1: it is at rest
   Point start{};  ///< the body's centre of mass at the start

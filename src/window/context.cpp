@@ -55,6 +55,10 @@ void style_panels(float scale) {
   style.ScaleAllSizes(scale);
 }
 
+void note_event(GLFWwindow* window) {
+  static_cast<Context*>(glfwGetWindowUserPointer(window))->wake();
+}
+
 }  // namespace
 
 Context::Context(int width, int height, bool visible) {
@@ -86,6 +90,7 @@ Context::Context(int width, int height, bool visible) {
     auto& dropped = static_cast<Context*>(glfwGetWindowUserPointer(w))->dropped_;
     dropped.assign(paths, paths + count);
   });
+  watch_events();
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
@@ -103,6 +108,46 @@ Context::~Context() {
   ImGui::DestroyContext();
   glfwDestroyWindow(window_);
   glfwTerminate();
+}
+
+/// Dear ImGui calls these after its own.
+void Context::watch_events() {
+  glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
+    note_event(w);
+    if (action == GLFW_PRESS) static_cast<Context*>(glfwGetWindowUserPointer(w))->press(key);
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { note_event(w); });
+  glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { note_event(w); });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { note_event(w); });
+  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { note_event(w); });
+  glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { note_event(w); });
+  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { note_event(w); });
+}
+
+/// Dear ImGui sees keys at pictures only, before version 1.87. One that was pressed and released
+/// between two of them stays down for a picture.
+void Context::hold_short_keys() {
+  [[maybe_unused]] const std::vector<int> pressed = std::exchange(pressed_, {});
+#if IMGUI_VERSION_NUM < 18700
+  auto& down = ImGui::GetIO().KeysDown;
+  for (const int key : std::exchange(held_, {})) down[key] = false;
+  for (const int key : pressed) {
+    if (key < 0 || key >= int(std::size(down)) || down[key]) continue;
+    down[key] = true;
+    held_.push_back(key);
+  }
+#endif
+}
+
+bool Context::take_event() {
+  double x = 0, y = 0;
+  glfwGetCursorPos(window_, &x, &y);
+  bool event = std::exchange(event_, false) || x != cursor_[0] || y != cursor_[1];
+  cursor_[0] = x;
+  cursor_[1] = y;
+  for (int button = GLFW_MOUSE_BUTTON_1; button <= GLFW_MOUSE_BUTTON_3; ++button)
+    event |= glfwGetMouseButton(window_, button) == GLFW_PRESS;
+  return event;
 }
 
 bool Context::closed() const { return glfwWindowShouldClose(window_); }
@@ -125,6 +170,7 @@ void Context::begin_picture() {
   height_ = std::max(1, height);
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  hold_short_keys();
   ImGui::NewFrame();
 }
 

@@ -25,6 +25,11 @@ class Context {
   void resize(int width, int height);
   /// Handles events; waits for one for at most `seconds`.
   void poll(double seconds);
+  /// Notes that something happened, or that a key was pressed.
+  void wake() { event_ = true; }
+  void press(int key) { pressed_.push_back(key); }
+  /// Whether something happened since the last call, or a mouse button is held.
+  bool take_event();
   /// The files that were dropped on the window since the last call.
   std::vector<std::filesystem::path> take_dropped();
   void begin_picture();
@@ -45,7 +50,13 @@ class Context {
  private:
   GLFWwindow* window_ = nullptr;
   int width_ = 1, height_ = 1;
+  void watch_events();
+  void hold_short_keys();
+
   std::vector<std::filesystem::path> dropped_;
+  bool event_ = true;
+  std::vector<int> pressed_, held_;  // keys: since the last picture; only for it
+  double cursor_[2] = {0, 0};
 };
 
 }  // namespace freshet::window

@@ -8,6 +8,7 @@
 #include "render/png.h"
 #include "scene/keys/keys.h"
 #include "window/context.h"
+#include "window/redraw.h"
 #include "window/viewer.h"
 #include "window/window.h"
 
@@ -26,6 +27,7 @@ void open(view::Session& session, const Options& o) {
 
 void set_look(Viewer& viewer, const Options& o) {
   if (!o.screenshot.empty()) viewer.look.water_detail = 1;
+  viewer.show_pace(o.pace);
   if (o.water) viewer.look.style = gl::Style::water;
   for (std::size_t k = 0; k < std::size(color_by_words); ++k)
     if (o.color_by == color_by_words[k]) viewer.choose_color(ColorBy(k));
@@ -49,14 +51,22 @@ class Loop {
   Context& context() { return context_; }
   Viewer& viewer() { return viewer_; }
   const std::vector<double>& seconds() const { return seconds_; }
-  /// How long to wait for the mouse and the keys before the next picture [s]. At rest, between
-  /// snapshots and after 30 pictures a second by software, the processor belongs to the simulation.
+  /// How long to wait for the mouse and the keys before the next look for a snapshot [s]. Between
+  /// snapshots, and after 30 pictures a second by software, the processor belongs to the
+  /// simulation.
   double rest() const {
     if (seconds_.empty()) return 0;
     const double since = std::chrono::duration<double>(Clock::now() - begun_).count();
     const double by_software = software_ ? std::max(0.0, 1.0 / 30 - since) : 0;
-    const double idle = fresh_ ? 0 : viewer_.shown().playing ? 0.01 : 0.05;
+    const double idle = viewer_.shown().playing ? 0.005 : 0.05;
     return std::max(by_software, idle);
+  }
+
+  /// Whether another picture would differ from the last.
+  bool needs_picture() {
+    const double now = std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+    const bool event = context_.take_event();
+    return redraw_.wanted(viewer_.has_news(), event, now) || options_.pictures > 0;
   }
 
   /// One picture. `panels`: with what lies over it.
@@ -64,7 +74,7 @@ class Loop {
     const auto start = begun_ = Clock::now();
     context_.begin_picture();
     const auto region = viewer_.region(context_.width(), context_.height());
-    fresh_ = viewer_.update(region);
+    viewer_.update(region);
     if (!look_set_) set_look(viewer_, options_);
     look_set_ = true;
     viewer_.handle_input(region);
@@ -102,7 +112,8 @@ class Loop {
   Viewer viewer_;
   std::vector<double> seconds_;
   Clock::time_point begun_{};  // of the last picture
-  bool look_set_ = false, fresh_ = true, software_ = context_.is_software();
+  Redraw redraw_;
+  bool look_set_ = false, software_ = context_.is_software();
 };
 
 Result result_of(view::Session& session, Loop& loop) {
@@ -170,6 +181,7 @@ Result show(const Options& o) {
     }
     loop.context().poll(loop.rest());
     for (const auto& path : loop.context().take_dropped()) session.open(path);
+    if (!loop.needs_picture()) continue;
     loop.draw_picture(true);
     loop.context().swap();
     if (const std::string now = loop.viewer().title(); now != title)

@@ -13,12 +13,11 @@ namespace {
 
 view::Tint tint_of(Color c) { return {float(c.r) / 255, float(c.g) / 255, float(c.b) / 255, 1}; }
 
-constexpr view::Tint daylight{0.80f, 0.87f, 0.93f, 1};
-
 }  // namespace
 
 Viewer::Viewer(view::Session& session, bool software) : session_(session) {
   look.water_detail = software ? 2 : 1;
+  look.soft = !software;
 }
 
 gl::Painter::Region Viewer::region(int width, int height) const {
@@ -60,7 +59,8 @@ bool Viewer::update(const gl::Painter::Region& region) {
 /// Another scene, or the same one after a change: the camera stays unless the file is another.
 void Viewer::show_scene() {
   scene_ = shown_->scene;
-  painter_.set_scene(*scene_);
+  stage_ = view::stage_of(*scene_);
+  painter_.set_stage(stage_);
   coloring_scene_ = *scene_;
   keys_ = shown_->finished_run ? std::vector<SceneKey>() : keys_of(*scene_);
   if (name_ == shown_->name) return;
@@ -94,13 +94,13 @@ void Viewer::color_frame() {
   ranges_run_ = shown_->run;
   include(ranges_, percentiles_of(*scene_, shown_->frame));
   coloring_ = color_particles(coloring_scene_, shown_->frame, ranges_);
-  painter_.set_frame(shown_->frame, coloring_);
+  painter_.set_frame(view::shown_of(shown_->frame, coloring_, stage_));
 }
 
 void Viewer::draw(const gl::Painter::Region& region) {
   const bool water = look.style == gl::Style::water && scene_ && scene_->dimension() == 3;
   look.background =
-      water || !background_of_scene_ || !scene_ ? daylight : tint_of(ground_color(*scene_));
+      water || !background_of_scene_ || !scene_ ? gl::daylight : tint_of(ground_color(*scene_));
   look.marked.reset();
   if (selected_) look.marked = view::find_id(shown_->frame, *selected_);
   painter_.draw(camera_, look, region);

@@ -30,6 +30,8 @@ class Viewer {
   gl::Painter::Region region(int width, int height) const;
   /// Takes the newest snapshot; true if it is another than before.
   bool update(const gl::Painter::Region& region);
+  /// Whether there is a newer snapshot.
+  bool has_news() { return session_.newest() != shown_; }
   /// Handles the mouse and the keys that the panels do not take.
   void handle_input(const gl::Painter::Region& region);
   void draw_panels();
@@ -52,6 +54,11 @@ class Viewer {
   void choose_color(std::optional<ColorBy> by) {
     color_by_ = by;
     colors_changed_ = true;
+  }
+  /// The pace that the panels show; 0: as fast as possible.
+  void show_pace(double pace) {
+    full_speed_ = pace == 0;
+    if (pace > 0) pace_ = float(pace);
   }
   bool panels = true;
   bool closing = false;
@@ -89,7 +96,8 @@ class Viewer {
   gl::Painter painter_;
   std::shared_ptr<const view::Snapshot> shown_;
   std::shared_ptr<const Scene> scene_;  // of the painter
-  Scene coloring_scene_;                // with the colours that are chosen
+  view::Stage stage_;
+  Scene coloring_scene_;  // with the colours that are chosen
   std::string name_;
   view::Camera camera_;
   view::History history_;

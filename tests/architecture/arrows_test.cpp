@@ -56,7 +56,7 @@ const std::map<std::string, std::set<std::string>> arrows{
     {"validate",
      {"api", "core", "scene", "render", "run", "fmt", "toml++", "nlohmann", "openssl",
       "muParser.h"}},
-    {"web", {"api", "core", "render", "fmt", "emscripten"}},
+    {"web", {"api", "core", "draw", "render", "view", "fmt", "emscripten"}},
     {"view",
      {"api", "core", "io", "mesh", "render", "run", "scene", "sim", "fmt", "toml++"}},
     {"draw", {"api", "render", "view", "GL", "GLES3"}},

@@ -4,11 +4,14 @@
 
 #include <cmath>
 
+#include "cli/files.h"
 #include "render/camera.h"
+#include "scene/model/picture_layout.h"
 #include "scene/model/setup.h"
 #include "view/actions.h"
 #include "view/pick.h"
 #include "view/shapes.h"
+#include "view/stage.h"
 
 namespace freshet::view {
 namespace {
@@ -38,7 +41,8 @@ Point drawn(const Camera& camera, double aspect, Point p) {
 
 TEST(ViewCamera, DrawsAPointWhereThePicturesOfTheSceneHaveIt) {
   const Scene scene = box_scene(3);
-  constexpr double width = 600, height = 400;
+  const PictureLayout layout = picture_layout(scene);
+  const double width = layout.view.width, height = layout.view.height;
   const Camera camera = Camera::of(scene, 0, width / height);
   const View pictures(pose_at(scene, 0), width, height);
   for (const Point p : {Point{0, 0, 0}, Point{2, 1, 0.5}, Point{0.3, 0.9, 0.1}}) {
@@ -46,6 +50,15 @@ TEST(ViewCamera, DrawsAPointWhereThePicturesOfTheSceneHaveIt) {
     const Point here = drawn(camera, width / height, p);
     EXPECT_NEAR((here.x + 1) / 2 * width, seen.x, 0.05);
     EXPECT_NEAR((1 - here.y) / 2 * height, seen.y, 0.05);
+  }
+}
+
+TEST(ViewCamera, NarrowWindowShowsTheWidthOfThePicture) {
+  const Scene scene = box_scene(3);
+  const Camera wide = Camera::of(scene, 0, 2), narrow = Camera::of(scene, 0, 0.5);
+  for (const Point p : {Point{0, 0, 0.5}, Point{2, 1, 0.5}}) {
+    EXPECT_LT(std::abs(drawn(wide, 2, p).x), 1);
+    EXPECT_LT(std::abs(drawn(narrow, 0.5, p).x), 1);
   }
 }
 
@@ -152,6 +165,40 @@ TEST(ViewShapes, DomainWallsBodiesAndProbesHaveParts) {
   frame.bodies.resize(1);
   frame.bodies[0].position = {1.5, 0.75, 0.25};
   EXPECT_NEAR(placement_of(parts[3], frame)[13], 0.25, 1e-6);
+}
+
+TEST(ViewShapes, WallOfPointsHasThePointsOfItsFile) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "wall.csv", "x,y\n0.5,0.25\n0.75,0.5\n");
+  Scene s = box_scene(2);
+  Scene::Wall wall;
+  wall.shape = Shape::points;
+  wall.file = (folder / "wall.csv").string();
+  s.wall.push_back(wall);
+  const std::vector<Part> parts = parts_of(s);
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[1].points, (std::vector<float>{0.5f, 0.25f, 0, 0, 0.75f, 0.5f, 0, 0}));
+  s.wall[0].file = (folder / "gone.csv").string();
+  EXPECT_TRUE(parts_of(s)[1].points.empty());
+}
+
+TEST(ViewStage, PackedNumbersAreTheSameStage) {
+  Scene s = box_scene(3);
+  Scene::Body ball;
+  ball.shape = Shape::sphere;
+  ball.center = {1.5, 0.5, 0.25};
+  ball.radius = 0.2;
+  ball.motion = BodyMotion::moved;
+  s.body.push_back(ball);
+  const Stage stage = stage_of(with_defaults(s)), copy = unpacked(packed(stage));
+  EXPECT_EQ(packed(copy), packed(stage));
+  ASSERT_EQ(copy.parts.size(), 2u);
+  EXPECT_EQ(copy.parts[1].kind, Part::Kind::body);
+  EXPECT_EQ(copy.parts[1].body, 0);
+  EXPECT_EQ(copy.parts[1].triangles, stage.parts[1].triangles);
+  EXPECT_FALSE(copy.flat);
+  EXPECT_NEAR(copy.start.distance, stage.start.distance, 1e-5);
+  EXPECT_EQ(copy.high.x, 2);
 }
 
 TEST(ViewActions, TextOfALogIsReadToTheSameNumbers) {

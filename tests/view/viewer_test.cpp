@@ -14,6 +14,7 @@
 
 #include "view/display.h"
 #include "window/context.h"
+#include "window/redraw.h"
 #include "window/viewer.h"
 
 namespace freshet::window {
@@ -197,6 +198,75 @@ TEST_F(ViewInWindow, SliceShowsLessAndFieldsHaveOtherColors) {
   EXPECT_GT(cut, all / 20);
   viewer_->choose_color(ColorBy::pressure);
   EXPECT_LT(count_red(picture()), cut / 4);
+}
+
+TEST(ViewRedraw, DrawsForSnapshotsAndEventsAndRarelyAtRest) {
+  Redraw redraw;
+  int at_start = 0;
+  for (int k = 0; k < 20; ++k) at_start += redraw.wanted(false, false, 0.01 * k);
+  EXPECT_EQ(at_start, 5) << "panels find their sizes";
+  EXPECT_TRUE(redraw.wanted(true, false, 0.21));
+  EXPECT_FALSE(redraw.wanted(false, false, 0.22));
+  int after_event = redraw.wanted(false, true, 0.23);
+  for (int k = 0; k < 20; ++k) after_event += redraw.wanted(false, false, 0.24 + 0.01 * k);
+  EXPECT_EQ(after_event, 5);
+  EXPECT_TRUE(redraw.wanted(false, false, 1));
+}
+
+TEST_F(ViewInWindow, KeyThatIsReleasedBeforeThePictureCounts) {
+  open(2);
+  picture();
+  context_->press(GLFW_KEY_S);
+  picture();
+  EXPECT_EQ(session_.wait()->frame.step, 1);
+  for (int k = 0; k < 3; ++k) picture();
+  EXPECT_EQ(session_.wait()->frame.step, 1) << "once";
+}
+
+TEST_F(ViewInWindow, TakesAnEventOnce) {
+  picture();
+  context_->take_event();
+  EXPECT_FALSE(context_->take_event());
+  context_->wake();
+  EXPECT_TRUE(context_->take_event());
+  EXPECT_FALSE(context_->take_event());
+}
+
+TEST_F(ViewInWindow, TakesDroppedFilesOnceAndShowsTheirErrors) {
+  const fs::path good = folder_ / "red.toml", wrong = folder_ / "wrong.toml";
+  write_text(good, red_scene(2));
+  write_text(wrong, "[domain]\nmx = [1.0, 1.0]\n");
+  GLFWwindow* window = glfwGetCurrentContext();
+  const auto drop = [&](const fs::path& file) {
+    const GLFWdropfun callback = glfwSetDropCallback(window, nullptr);
+    glfwSetDropCallback(window, callback);
+    const std::string name = file.string();
+    const char* names[] = {name.c_str()};
+    callback(window, 1, names);
+    const auto dropped = context_->take_dropped();
+    ASSERT_EQ(dropped.size(), 1u);
+    session_.open(dropped[0]);
+    session_.wait();
+  };
+  drop(good);
+  EXPECT_GT(count_red(picture()), 1000);
+  drop(wrong);
+  EXPECT_TRUE(context_->take_dropped().empty());
+  EXPECT_GT(count_red(picture()), 1000) << "what was open stays";
+  std::string problems;
+  for (const Diagnostic& d : viewer_->shown().problems) problems += d.text() + "\n";
+  EXPECT_TRUE(contains(
+      problems, wrong.string() + ":2:1: error: unknown key domain.mx; did you mean domain.max?"))
+      << problems;
+}
+
+TEST_F(ViewInWindow, PSavesAPictureAndWritesItsName) {
+  open(2);
+  picture();
+  EXPECT_TRUE(viewer_->take_picture_name().empty());
+  picture([&](ImGuiIO& io) { press(io, GLFW_KEY_P); });
+  EXPECT_EQ(viewer_->take_picture_name(), "view.png");
+  EXPECT_TRUE(viewer_->take_picture_name().empty());
 }
 
 TEST_F(ViewInWindow, FilmHasThePicturesOfEqualIntervals) {

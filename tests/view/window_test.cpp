@@ -125,7 +125,7 @@ TEST_F(ViewWindow, WaterIsDrawnOverTheFloor) {
 TEST_F(ViewWindow, ErrorsOfASceneEndAScreenshot) {
   const fs::path wrong = folder_ / "wrong.toml", png = folder_ / "x.png";
   write_text(wrong, "[domain]\nmx = [1.0, 1.0]\n");
-  const ProcessResult r = view({wrong, "--screenshot", png});
+  const ProcessResult r = view({wrong, "--steps", "5", "--screenshot", png});
   EXPECT_EQ(r.code, 2);
   EXPECT_TRUE(
       contains(r.err, "wrong.toml:2:1: error: unknown key domain.mx; did you mean domain.max?"))

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "core/sha256.h"
-#include "render/color.h"
 #include "web/module/session.h"
 
 #define FRESHET_EXPORT extern "C"
@@ -19,7 +18,6 @@ using freshet::web::Session;
 
 std::unique_ptr<Session> session;
 std::string message, text;
-std::vector<std::uint8_t> colors;
 
 const char* keep(std::string value) {
   text = std::move(value);
@@ -97,31 +95,33 @@ FRESHET_EXPORT const char* freshet_state_sha256() {
 }
 
 /// What is drawn now, coloured by a quantity (the number of a ColorBy).
-FRESHET_EXPORT const Session::Drawn* freshet_update(int quantity) {
+FRESHET_EXPORT const freshet::view::Shown* freshet_update(int quantity) {
   return &session->update(freshet::ColorBy(quantity));
 }
-/// An array of it: 0 positions, 1 values, 2 bodies, 3 foam, 4 walls.
-FRESHET_EXPORT int freshet_array_size(const Session::Drawn* drawn, int array) {
-  const std::vector<float>* arrays[] = {&drawn->x, &drawn->values, &drawn->bodies, &drawn->foam,
-                                        &session->walls()};
-  return int(arrays[array]->size());
-}
-FRESHET_EXPORT const float* freshet_array(const Session::Drawn* drawn, int array) {
-  const std::vector<float>* arrays[] = {&drawn->x, &drawn->values, &drawn->bodies, &drawn->foam,
-                                        &session->walls()};
-  return arrays[array]->data();
-}
-FRESHET_EXPORT double freshet_color_low(const Session::Drawn* drawn) { return drawn->low; }
-FRESHET_EXPORT double freshet_color_high(const Session::Drawn* drawn) { return drawn->high; }
 
-/// 256 RGB colours of a map (the number of a ColorMap).
-FRESHET_EXPORT const std::uint8_t* freshet_colors(int map) {
-  colors.clear();
-  for (int k = 0; k < 256; ++k) {
-    const freshet::Color c = freshet::map_color(freshet::ColorMap(map), float(k) / 255);
-    colors.insert(colors.end(), {c.r, c.g, c.b});
-  }
-  return colors.data();
+namespace {
+
+const std::vector<float>& array_of(const freshet::view::Shown& shown, int array) {
+  const std::vector<float>* arrays[] = {&session->packed_stage(), &shown.balls, &shown.foam,
+                                        &shown.placements};
+  return *arrays[array];
+}
+
+}  // namespace
+
+/// An array of it: 0 the packed stage, 1 balls, 2 foam, 3 placements.
+FRESHET_EXPORT int freshet_array_size(const freshet::view::Shown* shown, int array) {
+  return int(array_of(*shown, array).size());
+}
+FRESHET_EXPORT const float* freshet_array(const freshet::view::Shown* shown, int array) {
+  return array_of(*shown, array).data();
+}
+/// Its colours: RGBA.
+FRESHET_EXPORT const std::uint8_t* freshet_map(const freshet::view::Shown* shown) {
+  return shown->map.data();
+}
+FRESHET_EXPORT int freshet_map_size(const freshet::view::Shown* shown) {
+  return int(shown->map.size());
 }
 
 /// The picture of a 2D scene as a run writes it, without texts: RGB, rows from the top.

@@ -28,11 +28,6 @@ std::vector<Override> overrides_in(const std::string& changes) {
   return all;
 }
 
-/// Appends a position of `dimension` numbers as three.
-template <class T> void append(std::vector<float>& all, const T* x, int dimension) {
-  for (int d = 0; d < 3; ++d) all.push_back(d < dimension ? float(x[d]) : 0);
-}
-
 }  // namespace
 
 Scene scene_of(const Request& request, std::vector<Diagnostic>& warnings) {
@@ -59,18 +54,9 @@ std::string lines_of(const std::vector<Diagnostic>& diagnostics) {
 Session::Session(const Request& request)
     : sim_(scene_of(request, warnings_), {1, ""}),
       derived_(derive(sim_.scene())),
-      rest_densities_(rest_densities(sim_.scene())) {
-  sort_walls();
-}
-
-void Session::sort_walls() {
-  const int dimension = sim_.scene().dimension();
-  const BoundaryForces all = sim_.boundary_forces();
-  const int walls = int(sim_.scene().wall_names().size());
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (all.part[i] >= 2 * dimension && all.part[i] < walls)
-      append(walls_, &all.x[i * std::size_t(dimension)], dimension);
-}
+      coloring_scene_(sim_.scene()),
+      stage_(view::stage_of(sim_.scene())),
+      packed_stage_(view::packed(stage_)) {}
 
 void Session::step(int steps, double milliseconds, bool past_end) {
   const double end = emscripten_get_now() + milliseconds;
@@ -121,47 +107,17 @@ void Session::push(const Push& push) {
   });
 }
 
-void Session::update_bodies() {
-  drawn_.bodies.clear();
-  if (sim_.scene().body.empty()) return;
-  const int dimension = sim_.scene().dimension();
-  const int walls = int(sim_.scene().wall_names().size());
-  const BoundaryForces all = sim_.boundary_forces();
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (all.part[i] >= walls) append(drawn_.bodies, &all.x[i * std::size_t(dimension)], dimension);
-}
-
-void Session::update_foam(const WhitewaterFrame& foam) {
-  drawn_.foam.clear();
-  const int dimension = sim_.scene().dimension();
-  for (std::size_t i = 0; i < foam.size(); ++i)
-    append(drawn_.foam, &foam.x[i * std::size_t(dimension)], dimension);
-}
-
-const Session::Drawn& Session::update(ColorBy quantity) {
-  const Scene& scene = sim_.scene();
+const view::Shown& Session::update(ColorBy quantity) {
+  Scene::Picture& picture = coloring_scene_.picture;
+  const Scene::Picture& own = sim_.scene().picture;
+  const bool is_own = quantity == own.color_by;
+  picture.color_by = quantity;
+  picture.color_map = is_own ? own.color_map : std::nullopt;
+  picture.color_range = is_own ? own.color_range : Vector{};
   const Frame frame = sim_.frame();
-  drawn_.x.clear();
-  drawn_.values.clear();
-  for (std::size_t i = 0; i < frame.size(); ++i) {
-    append(drawn_.x, &frame.x[i * std::size_t(frame.dimension)], frame.dimension);
-    drawn_.values.push_back(quantity_value(quantity, rest_densities_, frame, i));
-  }
-  include(ranges_, percentiles_of(scene, frame));
-  ColorRange range;
-  if (scene.is_article()) range = picture_limits(quantity, drawn_.values);
-  else if (quantity == ColorBy::liquid)
-    range = {0, float(std::max<std::size_t>(1, scene.liquids().size() - 1))};
-  else {
-    Scene shown = scene;
-    shown.picture.color_by = quantity;
-    range = color_limits(shown, ranges_[std::size_t(quantity)]);
-  }
-  drawn_.low = range.low;
-  drawn_.high = range.high > range.low ? range.high : range.low + 1;
-  update_bodies();
-  update_foam(frame.whitewater);
-  return drawn_;
+  include(ranges_, percentiles_of(sim_.scene(), frame));
+  shown_ = view::shown_of(frame, color_particles(coloring_scene_, frame, ranges_), stage_);
+  return shown_;
 }
 
 const Image& Session::picture() {

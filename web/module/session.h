@@ -9,6 +9,7 @@
 #include "freshet/simulation.h"
 #include "render/color_range.h"
 #include "render/image.h"
+#include "view/stage.h"
 
 namespace freshet::web {
 
@@ -43,16 +44,9 @@ class Session {
   };
   void push(const Push& push);
 
-  /// What the page draws, after update(): positions have 3 numbers, and z is 0 in 2D.
-  struct Drawn {
-    std::vector<float> x, values;  ///< of the fluid, in the order of ids
-    std::vector<float> bodies;     ///< boundary particles of bodies
-    std::vector<float> foam;
-    float low = 0, high = 1;  ///< values at the ends of the colours
-  };
-  const Drawn& update(ColorBy quantity);
-  /// Boundary particles of walls, without the sides of the domain.
-  const std::vector<float>& walls() const { return walls_; }
+  /// What the page draws now, coloured by a quantity.
+  const view::Shown& update(ColorBy quantity);
+  const std::vector<float>& packed_stage() const { return packed_stage_; }
   /// The picture of a 2D scene, as a run writes it; empty in 3D.
   const Image& picture();
 
@@ -63,17 +57,14 @@ class Session {
   std::string picture_pixels();
 
  private:
-  void sort_walls();
-  void update_bodies();
-  void update_foam(const WhitewaterFrame& foam);
-
   std::vector<Diagnostic> warnings_;
   Simulation sim_;
   Derived derived_;
-  std::vector<float> rest_densities_;
-  std::vector<float> walls_;
+  Scene coloring_scene_;  // with the colours that are chosen
+  view::Stage stage_;
+  std::vector<float> packed_stage_;
   ColorRanges ranges_;
-  Drawn drawn_;
+  view::Shown shown_;
   std::optional<Image> picture_;
 };
 

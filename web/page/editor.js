@@ -5,7 +5,7 @@ import { Stage, element } from './stage.js';
 import { stageHtml } from './stage_html.js';
 import { translate, word } from './words.js';
 
-const solvers = ['', 'mueller2003', 'wcsph', 'delta_sph', 'pcisph', 'iisph', 'dfsph'];
+const solvers = ['', 'mueller2003', 'wcsph', 'delta_sph', 'pcisph', 'iisph', 'dfsph', 'pbf'];
 
 /** A scene in the address, compressed where the browser can: #toml=... */
 async function packed(text) {

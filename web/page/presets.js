@@ -75,6 +75,7 @@ export const runs = {
   pcisph: { scene: 'article_corrected', solver: 'pcisph', changes: water, en: 'pcisph', zh: 'pcisph' },
   iisph: { scene: 'article_corrected', solver: 'iisph', changes: water, en: 'iisph', zh: 'iisph' },
   dfsph: { scene: 'article_corrected', solver: 'dfsph', changes: water, en: 'dfsph', zh: 'dfsph' },
+  pbf: { scene: 'article_corrected', solver: 'pbf', changes: water, en: 'pbf', zh: 'pbf' },
   deep: {
     scene: 'dam_break_3d', solver: 'dfsph', en: 'A dam break in 3D', zh: '三维溃坝',
     changes: { checks: null, 'particles.spacing': '0.04', 'particles.support_radius': '0.1' },
@@ -122,7 +123,7 @@ export const cards = {
   15: { runs: [], sliders: [], colors: true, en: 'Colour by another quantity.', zh: '用别的量着色。' },
   16: { runs: ['dots5', 'dots1', 'stiff'], sliders: ['k'], shown: ['bright', 'step_bound'],
     en: 'The bright pixels follow from the dots. The particles are the same.', zh: '亮像素取决于点的大小，粒子并没有变。' },
-  17: { runs: ['pairs', 'grid', 'collide', 'walls', 'pcisph', 'iisph', 'dfsph', 'deep'], sliders: [],
+  17: { runs: ['pairs', 'grid', 'collide', 'walls', 'pcisph', 'iisph', 'dfsph', 'pbf', 'deep'], sliders: [],
     shown: ['rate', 'density_error', 'iterations'],
     en: 'The article\'s next steps, live. Grid and pairs give the same bits. Look at the steps per second, the line of particles along the floor, and the density error.',
     zh: '文章的下一步，就在这里。网格与全部比较得到相同的比特。看每秒步数、沿地面的那一行粒子和密度误差。' },

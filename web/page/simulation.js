@@ -4,9 +4,7 @@
 
 export const quantities = ['speed', 'velocity_x', 'velocity_y', 'velocity_z', 'density',
   'density_error', 'pressure', 'height', 'id', 'liquid'];
-export const maps = ['article', 'water', 'viridis', 'inferno', 'coolwarm'];
-
-const arrays = ['x', 'values', 'bodies', 'foam', 'walls'];
+const arrays = ['stage', 'balls', 'foam', 'placements'];
 
 export class SceneError extends Error {}
 
@@ -84,15 +82,17 @@ export class Simulation {
     return this.text('picture_sha256');
   }
 
-  /** The arrays to draw, coloured by a quantity: x has three numbers per particle. */
+  /** The arrays to draw, coloured by a quantity: a ball has four numbers, x, y, z and its place in
+      the colour map. */
   drawn(quantity) {
-    const drawn = this.call('update', quantities.indexOf(quantity));
-    const result = { low: this.call('color_low', drawn), high: this.call('color_high', drawn) };
+    const shown = this.call('update', quantities.indexOf(quantity));
+    const result = {};
     arrays.forEach((name, k) => {
-      const size = this.call('array_size', drawn, k);
-      const first = this.call('array', drawn, k) >> 2;
-      result[name] = this.module.HEAPF32.slice(first, first + size);
+      const first = this.call('array', shown, k) >> 2;
+      result[name] = this.module.HEAPF32.slice(first, first + this.call('array_size', shown, k));
     });
+    const map = this.call('map', shown);
+    result.map = this.module.HEAPU8.slice(map, map + this.call('map_size', shown));
     return result;
   }
 
@@ -105,14 +105,6 @@ export class Simulation {
     for (let k = 0; k < width * height; ++k)
       for (let c = 0; c < 3; ++c) rgba[4 * k + c] = rgb[3 * k + c];
     return { width, height, rgba, pixels: JSON.parse(this.text('picture_pixels')) };
-  }
-
-  /** The 256 colours of each map. */
-  colors() {
-    return Object.fromEntries(maps.map((name, k) => {
-      const first = this.call('colors', k);
-      return [name, this.module.HEAPU8.slice(first, first + 768)];
-    }));
   }
 
   /** Writes a file that scenes can name. */

@@ -56,18 +56,23 @@ export class Stage {
   }
 
   async start() {
-    const { colors } = await this.runner.call('colors');
-    this.view = new View(this.canvas, colors);
+    this.view = await View.start(this.canvas);
   }
 
-  /** Opens a request; a scene in 3D loads the larger module first. */
-  async open(request, { play = true } = {}) {
-    if (this.runner.flat && /^\s*max\s*=\s*\[[^\],]+,[^\],]+,[^\]]+\]/m.test(request.text)) {
-      await this.player.idle();
+  /** The answer to a request; 3D and pbf load the larger module first. */
+  async answerTo(request) {
+    try {
+      return await this.player.open(request);
+    } catch (error) {
+      if (!this.runner.flat || !error.message.includes('this build has no')) throw error;
       this.runner.close();
       this.runner = this.player.runner = new Runner();
+      return this.player.open(request);
     }
-    const answer = await this.player.open(request);
+  }
+
+  async open(request, { play = true } = {}) {
+    const answer = await this.answerTo(request);
     this.pixels = null;
     this.fail(null);
     this.about = answer.about;
@@ -76,11 +81,10 @@ export class Stage {
     if (!request.keep) this.history = [];
     this.player.steps = answer.state.steps;
     this.player.dt = answer.about.step || answer.about.step_bound || 0.001;
-    this.view.map = this.mapOf(this.player.quantity);
     this.view.open(answer.about, answer.drawn);
+    this.showLook();
     this.canvas.dataset.dimension = answer.about.dimension;
     element('hint').textContent = word(answer.about.dimension === 3 ? 'orbit' : 'push');
-    this.view.walls = answer.drawn.walls;
     this.onFrame(answer, 0);
     this.warn();
     const own = quantities[answer.about.color_by];
@@ -181,9 +185,14 @@ export class Stage {
     await this.player.advance(count);
   }
 
-  mapOf(quantity) {
-    if (quantity === 'speed') return this.about.article ? 'article' : 'water';
-    return ['liquid', 'density_error'].includes(quantity) ? 'coolwarm' : 'viridis';
+  /** Balls or water, and slices: in 3D. */
+  showLook() {
+    const deep = this.about.dimension === 3;
+    element('look').hidden = !deep;
+    const axis = Number(element('slice').value);
+    element('slice_at').hidden = axis < 0;
+    this.view.setStyle(deep && this.view.floats ? element('style').value : 'balls');
+    this.view.setSlice(deep ? axis : -1, Number(element('slice_at').value));
   }
 
   async color(quantity) {
@@ -192,7 +201,6 @@ export class Stage {
     if (!this.about) return;
     await this.player.idle();
     const answer = await this.runner.call('look', { quantity });
-    this.view.map = this.mapOf(quantity);
     this.view.show(answer.drawn);
   }
 
@@ -220,6 +228,7 @@ export class Stage {
     element('pace').onchange = (e) => {
       this.player.pace = e.target.value === 'fastest' ? Infinity : Number(e.target.value);
     };
+    for (const id of ['style', 'slice', 'slice_at']) element(id).oninput = () => this.showLook();
     element('color').onchange = (e) => { this.chosenColor = true; this.color(e.target.value); };
   }
 
@@ -245,10 +254,9 @@ export class Stage {
       if (this.about.dimension === 3) {
         if (touching.size === 2) {
           const wide = distance();
-          this.view.orbit.scaleBy(wide / spread);
+          this.view.zoom(wide / spread);
           spread = wide;
-        } else this.view.orbit.turn((now.x - before.x) * 0.008, (now.y - before.y) * 0.008);
-        this.view.draw();
+        } else this.view.turn(now.x - before.x, now.y - before.y);
       } else this.pushBy(before, now);
     };
     const end = (e) => {
@@ -260,8 +268,7 @@ export class Stage {
     canvas.addEventListener('wheel', (e) => {
       if (this.about?.dimension !== 3) return;
       e.preventDefault();
-      this.view.orbit.scaleBy(Math.exp(-e.deltaY * 0.001));
-      this.view.draw();
+      this.view.zoom(Math.exp(-e.deltaY * 0.001));
     }, { passive: false });
   }
 
@@ -279,16 +286,14 @@ export class Stage {
   bindKeys() {
     addEventListener('keydown', (e) => {
       if (e.target.closest('input, select, textarea, button, summary, a') || e.ctrlKey || e.metaKey || e.altKey) return;
-      const turn = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] }[e.key];
+      const turn = { ArrowLeft: [-12, 0], ArrowRight: [12, 0], ArrowUp: [0, 12], ArrowDown: [0, -12] }[e.key];
       if (e.key === ' ') element('play').click();
       else if (e.key === 's') element('step').click();
       else if (e.key === 'r') element('restart').click();
       else if (turn && this.about?.dimension === 3 && document.activeElement === this.canvas) {
-        this.view.orbit.turn(...turn);
-        this.view.draw();
-      } else if ((e.key === '+' || e.key === '-') && this.view?.orbit) {
-        this.view.orbit.scaleBy(e.key === '+' ? 1.1 : 0.9);
-        this.view.draw();
+        this.view.turn(...turn);
+      } else if ((e.key === '+' || e.key === '-') && this.about?.dimension === 3) {
+        this.view.zoom(e.key === '+' ? 1.1 : 0.9);
       } else return;
       e.preventDefault();
     });

@@ -32,6 +32,16 @@ export const stageHtml = (extra = '') => `
   </select></label>
 </div>
 <div class="panels" id="panels">
+  <div class="row" id="look" hidden>
+    <label class="choice"><span>${word('look')}</span><select id="style">
+      <option value="balls">${word('balls')}</option><option value="water">${word('water')}</option>
+    </select></label>
+    <label class="choice"><span>${word('slice')}</span><select id="slice">
+      <option value="-1">${word('none')}</option><option value="0">x</option>
+      <option value="1">y</option><option value="2">z</option>
+    </select></label>
+    <input id="slice_at" type="range" min="0" max="1" step="0.01" value="0.5" aria-label="${word('slice')}" hidden>
+  </div>
   ${extra}
   <details id="number_panel" open>
     <summary>${word('numbers')}</summary>

@@ -1,94 +1,59 @@
 // SPDX-License-Identifier: MIT
-// Draws particles with WebGL2.
-import { Orbit, flatCamera } from './camera.js';
-import { lineFragment, lineVertex, particleFragment, particleVertex } from './shaders.js';
-import { maps } from './simulation.js';
+// The view of a run: src/draw, compiled to WebAssembly, on the page's canvas.
+import { word } from './words.js';
+import createDrawing from './draw.js';
 
-const night = [8 / 255, 10 / 255, 28 / 255];
-const frameTint = [80 / 255, 80 / 255, 120 / 255, 1];
-const wallTint = [0.5, 0.5, 0.48, 1], bodyTint = [0.84, 0.62, 0.38, 1], foamTint = [0.95, 0.97, 1, 1];
-const glowRadius = 5 / 590;  // of a dot, in heights of the domain: as in the article's picture
-const discGirth = 1.15;    // diameter of a disc in spacings, which closes the gaps
-
-function compile(gl, vertex, fragment) {
-  const program = gl.createProgram();
-  for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
-    const shader = gl.createShader(kind);
-    gl.shaderSource(shader, text);
-    gl.compileShader(shader);
-    gl.attachShader(program, shader);
-  }
-  gl.linkProgram(program);
-  if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost())
-    throw new Error(gl.getProgramInfoLog(program) || 'The shaders do not link.');
-  const places = {};
-  const count = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS);
-  for (let k = 0; k < count; ++k) {
-    const { name } = gl.getActiveUniform(program, k);
-    places[name] = gl.getUniformLocation(program, name);
-  }
-  return { program, places };
-}
-
-/** The edges of a box, as pairs of points. */
-function edges(min, max) {
-  const at = (k) => [0, 1, 2].map((d) => (k >> d & 1 ? max[d] ?? 0 : min[d] ?? 0));
-  const all = [];
-  const axes = max.length;
-  for (let k = 0; k < 1 << axes; ++k)
-    for (let d = 0; d < axes; ++d)
-      if (!(k >> d & 1)) all.push(...at(k), ...at(k | 1 << d));
-  return new Float32Array(all);
-}
+const arrays = ['stage', 'balls', 'foam', 'placements'];
 
 export class View {
-  /** `colors` are the 256 colours of each map. */
-  constructor(canvas, colors) {
+  static async start(canvas) {
+    const module = await createDrawing({ locateFile: (name) => new URL(name, import.meta.url).href });
+    return new View(canvas, module);
+  }
+
+  constructor(canvas, module) {
     this.canvas = canvas;
-    this.colors = colors;
+    this.module = module;
     this.gl = canvas.getContext('webgl2', { antialias: true, alpha: false, preserveDrawingBuffer: true });
-    if (!this.gl) throw new Error('This browser has no WebGL2, which the page draws with.');
-    canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
-    canvas.addEventListener('webglcontextrestored', () => { this.prepare(); this.draw(); });
+    if (!this.gl) throw new Error(word('no_webgl'));
+    this.context = module.GL.registerContext(this.gl, { majorVersion: 2 });
     this.prepare();
-    this.map = 'article';
+    canvas.addEventListener('webglcontextlost', (event) => { event.preventDefault(); this.lost = true; });
+    canvas.addEventListener('webglcontextrestored', () => { this.prepare(); this.draw(); });
     new ResizeObserver(() => this.draw()).observe(canvas);
   }
 
   prepare() {
-    const { gl } = this;
-    this.particles = compile(gl, particleVertex, particleFragment);
-    this.lines = compile(gl, lineVertex, lineFragment);
-    this.buffers = [gl.createBuffer(), gl.createBuffer()];
-    const texture = gl.createTexture();
-    gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-    const bytes = new Uint8Array(768 * maps.length);
-    maps.forEach((name, k) => bytes.set(this.colors[name], 768 * k));
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB, 256, maps.length, 0, gl.RGB, gl.UNSIGNED_BYTE, bytes);
-    for (const [key, value] of [[gl.TEXTURE_MIN_FILTER, gl.NEAREST], [gl.TEXTURE_MAG_FILTER, gl.NEAREST],
-      [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE], [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE]])
-      gl.texParameteri(gl.TEXTURE_2D, key, value);
+    this.lost = false;
+    this.module.GL.makeContextCurrent(this.context);
+    this.floats = this.gl.getExtension('EXT_color_buffer_float') !== null;  // which water needs
+    this.demand(this.module._freshet_begin());
+  }
+
+  demand(ok) {
+    if (!ok) throw new Error(this.module.UTF8ToString(this.module._freshet_message()));
+  }
+
+  /** Copies an array of a frame to the module. */
+  put(name, values) {
+    const place = this.module._freshet_numbers(arrays.indexOf(name), values.length);
+    this.module.HEAPF32.set(values, place >> 2);
   }
 
   /** Shows another scene: what a session's about() returns, and the first arrays. */
   open(about, drawn) {
     const box = [about.min, about.max].join();
-    if (about.dimension === 3 && this.box !== box) this.orbit = new Orbit(about.min, about.max);
+    this.put('stage', drawn.stage);
+    this.module._freshet_show_stage(this.box === box ? 1 : 0);
     this.box = box;
-    this.about = about;
     this.show(drawn);
   }
 
   show(drawn) {
-    this.drawn = drawn;
+    for (const name of arrays.slice(1)) this.put(name, drawn[name]);
+    this.module.HEAPU8.set(drawn.map, this.module._freshet_map(drawn.map.length));
+    this.module._freshet_show_frame();
     this.draw();
-  }
-
-  /** The place in a 2D scene of a place on the canvas [CSS px]. */
-  place(x, y) {
-    const ratio = this.canvas.width / this.canvas.clientWidth;
-    return this.camera.place(x * ratio, y * ratio);
   }
 
   resize() {
@@ -100,74 +65,41 @@ export class View {
   }
 
   draw() {
-    if (!this.drawn) return;
+    if (!this.box || this.lost) return;
     this.resize();
-    const { gl, about, canvas: { width, height } } = this;
-    const flat = about.dimension === 2;
-    const window = about.window.length === 4 ? about.window : [...about.min, ...about.max];
-    this.camera = flat
-      ? flatCamera(window.slice(0, 2), window.slice(2), width, height, Math.round(0.02 * height))
-      : this.orbit.view(width, height);
-    gl.viewport(0, 0, width, height);
-    gl.clearColor(...night, 1);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    gl.disable(gl.BLEND);
-    this.drawLines();
-    this.drawParticles(flat);
+    this.demand(this.module._freshet_draw(this.canvas.width, this.canvas.height));
   }
 
-  drawLines() {
-    const { gl, lines: { program, places }, about, camera } = this;
-    gl.useProgram(program);
-    gl.uniformMatrix4fv(places.camera, false, camera.matrix);
-    gl.uniform4fv(places.tint, frameTint);
-    const points = edges(about.min, about.max);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.buffers[0]);
-    gl.bufferData(gl.ARRAY_BUFFER, points, gl.STREAM_DRAW);
-    gl.enableVertexAttribArray(0);
-    gl.disableVertexAttribArray(1);
-    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
-    gl.drawArrays(gl.LINES, 0, points.length / 3);
+  /** The place in a 2D scene of a place on the canvas [CSS px]. */
+  place(x, y) {
+    const { clientWidth, clientHeight } = this.canvas;
+    const place = this.module._freshet_place(2 * x / clientWidth - 1, 1 - 2 * y / clientHeight) >> 3;
+    return [...this.module.HEAPF64.subarray(place, place + 3)];
   }
 
-  drawParticles(flat) {
-    const { gl, particles: { program, places }, about, drawn, camera } = this;
-    const glow = flat && about.glow;
-    const disc = discGirth / 2 * about.spacing;
-    gl.useProgram(program);
-    gl.uniformMatrix4fv(places.camera, false, camera.matrix);
-    gl.uniform1f(places.scale, camera.scale);
-    gl.uniform2fv(places.depths, camera.depths ?? [0, 0]);
-    gl.uniform2fv(places.haze, camera.haze ?? [1e9, 1]);
-    gl.uniform3fv(places.ground, night);
-    gl.uniform2f(places.range, drawn.low, drawn.high);
-    gl.uniform1f(places.row, (maps.indexOf(this.map) + 0.5) / maps.length);
-    if (flat) gl.enable(gl.BLEND); else gl.disable(gl.BLEND);
-    if (flat) gl.disable(gl.DEPTH_TEST); else gl.enable(gl.DEPTH_TEST);
-    const sets = (mode, radius, tint, x, values) => {
-      if (!x.length) return;
-      gl.blendFunc(mode === 0 ? gl.ONE : gl.SRC_ALPHA, mode === 0 ? gl.ONE : gl.ONE_MINUS_SRC_ALPHA);
-      gl.uniform1i(places.mode, mode);
-      gl.uniform1f(places.radius, radius);
-      gl.uniform4fv(places.fixedColor, tint);
-      this.upload(0, 3, x);
-      if (values) this.upload(1, 1, values); else gl.disableVertexAttribArray(1);
-      gl.drawArrays(gl.POINTS, 0, x.length / 3);
-    };
-    const solid = flat ? 1 : 2;
-    sets(solid, disc, wallTint, this.walls ?? drawn.walls);
-    const height = about.max[1] - about.min[1];
-    const radius = glow ? glowRadius * height : flat ? disc : about.spacing / 2;
-    sets(glow ? 0 : solid, radius, [0, 0, 0, 0], drawn.x, drawn.values);
-    sets(solid, disc, bodyTint, drawn.bodies);
-    sets(solid, disc / 3, foamTint, drawn.foam);
+  /** Turns the camera by CSS pixels, to the right and down. */
+  turn(dx, dy) {
+    this.module._freshet_orbit(dx / this.canvas.clientHeight, -dy / this.canvas.clientHeight);
+    this.draw();
   }
 
-  upload(place, size, values) {
-    const { gl } = this;
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.buffers[place]);
-    gl.bufferData(gl.ARRAY_BUFFER, values, gl.STREAM_DRAW);
-    gl.enableVertexAttribArray(place);
-    gl.vertexAttribPointer(place, size, gl.FLOAT, false, 0, 0);
+  zoom(factor) {
+    this.module._freshet_zoom(1 / factor);
+    this.draw();
+  }
+
+  get yaw() {
+    return this.module._freshet_yaw();
+  }
+
+  setStyle(name) {
+    this.module._freshet_style(['balls', 'water'].indexOf(name));
+    this.draw();
+  }
+
+  /** A slice across axis 0 to 2 at a part of the domain; -1: none. */
+  setSlice(axis, part) {
+    this.module._freshet_slice(axis, part);
+    this.draw();
   }
 }

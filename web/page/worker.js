@@ -15,7 +15,6 @@ function look(simulation, { quantity }) {
 }
 
 const calls = {
-  colors: (s) => ({ colors: s.colors() }),
   open: (s, m) => ({ about: s.open(m), ...look(s, m) }),
   check: (s, m) => ({ warnings: s.check(m) }),
   /** Steps for `budget` milliseconds, up to `steps`. */

@@ -61,12 +61,14 @@ const drawn = `(() => { const v = freshet.stage.view, g = v.gl; v.draw();
   g.readPixels(0, 0, g.drawingBufferWidth, g.drawingBufferHeight, g.RGBA, g.UNSIGNED_BYTE, p);
   let n = 0; for (let k = 0; k < p.length; k += 4) n += p[k] > 60 || p[k + 1] > 60 || p[k + 2] > 110;
   return n / (p.length / 4); })()`;
+/** The share of pixels with the colour of water. */
+const blues = drawn.replace('p[k] > 60 || p[k + 1] > 60 || p[k + 2] > 110', 'p[k + 2] > p[k] + 40 && p[k + 1] > p[k] + 20');
 
 test('the first page is at most 1 MB compressed', () => {
-  const first = ['index.html', 'style.css', 'freshet_2d.js', 'freshet_2d.wasm', 'docs/article.zh-CN.md', 'scenes/article.toml',
+  const first = ['index.html', 'style.css', 'freshet_2d.js', 'freshet_2d.wasm', 'draw.wasm', 'docs/article.zh-CN.md', 'scenes/article.toml',
     ...fs.readdirSync(folder).filter((f) => f.endsWith('.js') && !/^(freshet|editor)/.test(f))];
   const bytes = first.reduce((sum, f) => sum + gzipSync(fs.readFileSync(path.join(folder, f)), { level: 9 }).length, 0);
-  console.log(`  first page: ${(bytes / 1e6).toFixed(2)} MB compressed`);
+  console.log(`  first page: ${(bytes / 1e6).toFixed(3)} MB compressed`);
   assert.ok(bytes <= 1e6, `${bytes} bytes`);
 });
 
@@ -152,6 +154,19 @@ test('buttons, keys and the pointer', async () => {
   noErrors(page);
 });
 
+test('a lost graphics context comes back', async () => {
+  const page = await visit(`${plain.address}?lang=en`);
+  const before = await page.value(drawn);
+  await page.value('(window.lose = freshet.stage.view.gl.getExtension("WEBGL_lose_context")).loseContext()');
+  await page.until('freshet.stage.view.lost');
+  const steps = await page.value(`${state}.steps`);
+  await page.until(`${state}.steps > ${steps + 20}`);
+  await page.value('lose.restoreContext()');
+  await page.until('!freshet.stage.view.lost');
+  assert.ok(await page.value(drawn) > before / 2);
+  noErrors(page);
+});
+
 test('the page in Chinese, without the headers', async () => {
   const page = await visit(`${plain.address}?lang=zh`);
   assert.equal(await page.value('crossOriginIsolated'), false);
@@ -192,10 +207,46 @@ test('scenes: TOML with the messages of the command', async () => {
   await page.until('freshet.stage.about.dimension === 3');
   await page.until(`${state}.steps > 3`, 120);
   const box = await page.value('(({ left, top, width, height }) => [left, top, width, height])(document.getElementById("view").getBoundingClientRect())');
-  const turned = await page.value('freshet.stage.view.orbit.azimuth');
+  const turned = await page.value('freshet.stage.view.yaw');
   await page.drag([box[0] + 100, box[1] + 100], [box[0] + 200, box[1] + 120]);
-  assert.notEqual(await page.value('freshet.stage.view.orbit.azimuth'), turned);
+  assert.notEqual(await page.value('freshet.stage.view.yaw'), turned);
   await page.screenshot(`${pictures}/scenes_3d.png`);
+  const choose = (id, value) => page.value(`(() => { const e = document.getElementById('${id}'); e.value = '${value}'; e.dispatchEvent(new Event('input')); })()`);
+  const whole = await page.value(drawn);
+  await choose('slice', '2');
+  const cut = await page.value(drawn);
+  assert.ok(cut < whole, `${cut} of ${whole}`);
+  await choose('slice', '-1');
+  assert.equal(await page.value('freshet.stage.view.floats'), true);
+  await choose('style', 'water');
+  await pause(500);
+  await page.screenshot(`${pictures}/scenes_water.png`);
+  const blue = await page.value(blues);
+  await choose('style', 'balls');
+  assert.ok(blue > 0.01 && blue < 0.5, `${blue} of the picture is water`);
+  noErrors(page);
+});
+
+test('walls of points, and libraries that the page lacks', async () => {
+  const page = await visit(`${plain.address}scenes.html?lang=en`);
+  const run = async (text) => {
+    await page.value(`(() => { const a = document.getElementById('toml'); a.value = ${JSON.stringify(text)}; })()`);
+    await page.value('freshet.editor.run()');
+    return page.value('document.getElementById("messages").textContent');
+  };
+  const points = Array.from({ length: 40 }, (_, k) => `${0.5 + 0.0125 * k},${0.3}`).join('\n');
+  await page.value(`freshet.stage.runner.call('write', { path: 'ramp.csv', bytes: new TextEncoder().encode('x,y\\n' + ${JSON.stringify(points)} + '\\n') })`);
+  const tank = '[domain]\nmax = [1.0, 1.0]\n[particles]\nspacing = 0.025\n[fluid]\nshape = "box"\nmin = [0.0, 0.0]\nmax = [0.2, 0.2]\n[solver]\nname = "wcsph"\n[time]\nend = 0.5\nstep = 0.0005\n';
+  await run(tank);
+  const without = await page.value(drawn);
+  await run(`${tank}[[wall]]\nshape = "points"\nfile = "ramp.csv"\n`);
+  const withWall = await page.value(drawn);
+  assert.ok(withWall > without + 0.005, `${withWall} after ${without}: ${await page.value('document.getElementById("messages").textContent')}`);
+  await page.screenshot(`${pictures}/scenes_points.png`);
+  const free = await run(`${tank}[[body]]\nshape = "sphere"\ncenter = [0.5, 0.5]\nradius = 0.1\nmotion = "free"\ndensity = 500\n`);
+  assert.match(free, /Bullet/);
+  const pulsed = await run(tank.replace('[particles]', 'body_force = ["sin(t)", "0"]\n[particles]'));
+  assert.match(pulsed, /muParser/);
   noErrors(page);
 });
 

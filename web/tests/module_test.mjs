@@ -45,6 +45,7 @@ const compared = [
   ['article_corrected', 'pcisph', runs.pcisph.changes, 0.05],
   ['article_corrected', 'iisph', runs.iisph.changes, 0.05],
   ['article_corrected', 'dfsph', runs.dfsph.changes, 0.05],
+  ['article_corrected', 'pbf', runs.pbf.changes, 0.05],
   ['dam_break_2d', '', { checks: null }, 0.02],
   ['dam_break_3d', 'dfsph', runs.deep.changes, 0.02],
 ];
@@ -66,8 +67,9 @@ test('every run beside the article opens and steps', async () => {
     s.step(3);
     assert.equal(s.state().steps, 3, name);
     const drawn = s.drawn('speed');
-    assert.equal(drawn.x.length, 3 * about.particles, name);
-    assert.ok(drawn.x.every(Number.isFinite), name);
+    assert.equal(drawn.balls.length, 4 * about.particles, name);
+    assert.ok(drawn.balls.every(Number.isFinite), name);
+    assert.equal(drawn.map.length, 4 * 256, name);
   }
 });
 
@@ -99,28 +101,31 @@ test('an error leaves the open scene as it is', async () => {
   assert.equal(s.state().steps, 5);
 });
 
+/** Three numbers of each particle. */
+const places = (s) => s.drawn('speed').balls.filter((_, k) => k % 4 < 3);
+
 test('a changed number keeps the particles in place, another count does not', async () => {
   const s = await simulation();
   const request = { text: scene('article'), name: 'article.toml' };
   s.open(request);
   s.step(300);
-  const before = s.drawn('speed').x;
+  const before = places(s);
   s.open({ ...request, changes: 'solver.stiffness=500', keep: true });
-  assert.deepEqual(s.drawn('speed').x, before);
+  assert.deepEqual(places(s), before);
   assert.equal(s.about.stiffness, 500);
   s.open({ ...request, changes: 'fluid.count=[24, 17]', keep: true });
-  assert.equal(s.drawn('speed').x.length, 3 * 408);
+  assert.equal(places(s).length, 3 * 408);
 });
 
 test('a push moves the particles near it and no others', async () => {
   const s = await simulation();
-  const places = (push) => {
+  const pushedPlaces = (push) => {
     s.open({ text: scene('article_corrected'), name: 'a.toml' });
     if (push) s.push([0.5, 1, 0], [50, 0, 0], 0.3);
     s.step(20);
-    return s.drawn('speed').x;
+    return places(s);
   };
-  const free = places(false), pushed = places(true);
+  const free = pushedPlaces(false), pushed = pushedPlaces(true);
   let near = 0, far = 0;
   for (let k = 0; k < free.length; k += 3) {
     const away = Math.hypot(free[k] - 0.5, free[k + 1] - 1), moved = pushed[k] - free[k];
