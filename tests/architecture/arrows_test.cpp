@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The table of arrows: what each folder of src/, apps/validate and web may include besides itself
+/// The table of arrows: what each folder of src/, apps/validate, web and python may include besides itself
 /// and the standard library, folders or single headers. "api" stands for include/freshet.
 /// docs/architecture.md draws the arrows between folders.
 const std::map<std::string, std::set<std::string>> arrows{
@@ -57,6 +57,7 @@ const std::map<std::string, std::set<std::string>> arrows{
      {"api", "core", "scene", "render", "run", "fmt", "toml++", "nlohmann", "openssl",
       "muParser.h"}},
     {"web", {"api", "core", "render", "fmt", "emscripten"}},
+    {"python", {"api", "pybind11"}},
     {"view",
      {"api", "core", "io", "mesh", "render", "run", "scene", "sim", "fmt", "toml++"}},
     {"draw", {"api", "render", "view", "GL", "GLES3"}},
@@ -79,11 +80,11 @@ std::string folder_of(const std::string& path) {
   return folder == "backend" && second != std::string::npos ? path.substr(0, second) : folder;
 }
 
-/// The sources below src/, and the two programs that include internal headers: by path relative
+/// The sources below src/, those of the Python module, and the two programs that include internal headers: by path relative
 /// to src/, apps/ or the root.
 std::map<fs::path, fs::path> sources() {
   std::map<fs::path, fs::path> files;
-  for (const fs::path below : {"src", "apps/validate", "./web"})
+  for (const fs::path below : {"src", "apps/validate", "./web", "./python"})
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(SOURCE_DIR) / below)) {
       const std::string extension = entry.path().extension();
       if (extension == ".h" || extension == ".cpp" || extension == ".cu")
