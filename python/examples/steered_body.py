@@ -12,10 +12,10 @@ BASIN = {
     "fluid": {"min": [0.0, 0.0], "max": [1.2, 0.3]},
     "body": {"name": "box", "motion": "free", "density": 500.0, "min": [0.3, 0.3], "max": [0.48, 0.42]},
     "solver": {"name": "wcsph", "sound_speed": 20.0},
-    "time": {"end": 1.5, "step": 0.0005},
+    "time": {"end": 2.0, "step": 0.0005},
 }
 WANTED = 0.7  # m
-STIFFNESS, DAMPING = 150.0, 90.0  # N/m and N s/m, per metre of depth
+STIFFNESS, DAMPING = 600.0, 150.0  # N/m and N s/m, per metre of depth
 
 
 def control(sim):
