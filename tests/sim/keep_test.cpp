@@ -15,7 +15,7 @@ constexpr const char* filling_tank = R"(
 domain = { max = [0.6, 0.6] }
 particles = { spacing = 0.04 }
 fluid = { min = [0, 0], max = [0.6, 0.2] }
-inlet = { center = [0, 0.4], direction = [1, 0], width = 0.16, speed = 2 }
+inlet = { center = [0.12, 0.4], direction = [1, 0], width = 0.16, speed = 2 }
 walls = { method = "ghost", y_max = "open" }
 solver = { name = "wcsph", sound_speed = 20 }
 time = { end = 1, step = 0.0005 }
