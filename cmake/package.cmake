@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # `cmake --build DIR --target package` writes a Debian package, which depends on Debian's libraries,
 # and an archive that has its libraries and fonts with it. Both run on a bare Debian of the release
-# that built them. scripts/package calls this.
+# that built them. scripts/package calls this, and makes the package of the Python module as well.
 include(GNUInstallDirs)
 
 # Libraries and fonts of the archive: not part of `cmake --install`.
@@ -27,5 +27,9 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, paraview, blender")
+if(FRESHET_PYTHON_MODULE)  # of this version of Python only
+  math(EXPR next "${Python_VERSION_MINOR} + 1")
+  set(CPACK_FRESHET_PYTHON "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next})")
+endif()
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/package_format.cmake)
 include(CPack)

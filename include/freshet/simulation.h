@@ -138,6 +138,11 @@ class Simulation {
   /// Scene::flow_names(). Rates are the mean since that moment.
   std::vector<Flow> flows(const Moment& since = Moment()) const;
   ParticleView fluid() const;
+  /// Keeps an array of fluid(), named by its first element: it stays valid and unchanged as long as
+  /// the returned object lives, and the simulation continues with a copy. Call it between steps.
+  /// Null for an array that is a copy already, which the next call of fluid() replaces: positions
+  /// of a domain far from 0, and the density of several liquids.
+  std::shared_ptr<const void> keep(const void* array);
   /// The states of the rigid bodies, in the order of Scene::body.
   std::vector<BodyState> bodies() const;
   /// Spray, foam and bubbles of a scene with [whitewater].

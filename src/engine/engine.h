@@ -46,6 +46,8 @@ class Engine {
   virtual std::span<Real> positions() = 0;
   virtual std::span<Real> velocities() = 0;
   virtual std::span<int> kinds() = 0;
+  /// Keeps the array of the fluid that starts at `array`; see Simulation::keep.
+  virtual std::shared_ptr<const void> keep(const void* array) = 0;
   /// Adds particles at rest density between steps, D numbers each, at positions in the scene.
   /// Returns the first one's id.
   virtual std::uint64_t add(std::span<const Real> x, std::span<const Real> v, int kind) = 0;

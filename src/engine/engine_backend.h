@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,8 @@ concept EngineBackend = Backend<B, D> &&
   b.restore("", p);
   /// Between steps: removes particles and appends new ones, zeroed.
   b.edit("", p, gone, 1);
+  /// Between steps: moves a field to other memory and leaves it that of before.
+  { b.keep(p, nullptr) } -> std::same_as<std::shared_ptr<const void>>;
   /// Calls finish(i, sum over the copies j that one rule makes).
   b.sum_pairs("", p, over_copies(0, p, term), finish);
   /// sums[g] += the map of each particle, by the group that it belongs to.

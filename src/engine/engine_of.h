@@ -131,6 +131,9 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
   std::span<int> kinds() override {
     return {fluid_.kind.data, fluid_.kind.data ? std::size_t(fluid_.n) : 0};
   }
+  std::shared_ptr<const void> keep(const void* array) override {
+    return store_.backend.keep(fluid_, array);
+  }
   std::uint64_t add(std::span<const Real> x, std::span<const Real> v, int kind) override {
     const int n = int(x.size() / D), first = fluid_.n;
     store_.backend.edit("edit", fluid_, {}, n);

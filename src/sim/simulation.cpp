@@ -66,6 +66,9 @@ bool Simulation::finished() const {
   return s.time.adaptive ? impl_->time >= s.time.end * (1 - 1e-12) : impl_->steps >= s.steps();
 }
 ParticleView Simulation::fluid() const { return impl_->fluid(); }
+std::shared_ptr<const void> Simulation::keep(const void* array) {
+  return impl_->engine().keep(array);
+}
 WhitewaterView Simulation::whitewater() const { return impl_->engine().whitewater(); }
 std::vector<BodyState> Simulation::bodies() const { return impl_->engine().bodies(); }
 const std::vector<VerbTiming>& Simulation::timings() const { return impl_->engine().timings(); }

@@ -13,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The table of arrows: what each folder of src/, apps/validate and web may include besides itself
-/// and the standard library, folders or single headers. "api" stands for include/freshet.
+/// The table of arrows: what each folder of src/, apps/validate, web and python may include besides
+/// itself and the standard library, folders or single headers. "api" stands for include/freshet.
 /// docs/architecture.md draws the arrows between folders.
 const std::map<std::string, std::set<std::string>> arrows{
     {"core", {"api"}},
@@ -43,8 +43,8 @@ const std::map<std::string, std::set<std::string>> arrows{
     {"render", {"api", "boundary", "cairo", "core", "fmt", "mesh", "scene", "spng.h", "surface"}},
     {"surface", {"api", "backend/cpu/threads.h", "core", "fmt", "meshoptimizer.h"}},
     {"io",
-     {"api", "core", "render", "surface", "formats", "fmt", "nlohmann", "hdf5.h", "commit.h", "gif_lib.h",
-      "webp"}},
+     {"api", "core", "render", "surface", "formats", "fmt", "nlohmann", "hdf5.h", "commit.h",
+      "gif_lib.h", "webp"}},
     {"backend", {"api", "core", "boundary"}},
     {"backend/reference", {"api", "core", "backend"}},
     {"backend/cpu", {"api", "core", "backend", "omp.h", "immintrin.h"}},
@@ -57,8 +57,8 @@ const std::map<std::string, std::set<std::string>> arrows{
      {"api", "core", "scene", "render", "run", "fmt", "toml++", "nlohmann", "openssl",
       "muParser.h"}},
     {"web", {"api", "core", "draw", "render", "view", "fmt", "emscripten"}},
-    {"view",
-     {"api", "core", "io", "mesh", "render", "run", "scene", "sim", "fmt", "toml++"}},
+    {"python", {"api", "pybind11"}},
+    {"view", {"api", "core", "io", "mesh", "render", "run", "scene", "sim", "fmt", "toml++"}},
     {"draw", {"api", "render", "view", "GL", "GLES3"}},
     {"window",
      {"api", "draw", "io", "render", "run", "scene", "view", "fmt", "GLFW", "backends", "imgui.h",
@@ -79,11 +79,11 @@ std::string folder_of(const std::string& path) {
   return folder == "backend" && second != std::string::npos ? path.substr(0, second) : folder;
 }
 
-/// The sources below src/, and the two programs that include internal headers: by path relative
-/// to src/, apps/ or the root.
+/// The sources below src/, those of the Python module, and the two programs that include internal
+/// headers: by path relative to src/, apps/ or the root.
 std::map<fs::path, fs::path> sources() {
   std::map<fs::path, fs::path> files;
-  for (const fs::path below : {"src", "apps/validate", "./web"})
+  for (const fs::path below : {"src", "apps/validate", "./web", "./python"})
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(SOURCE_DIR) / below)) {
       const std::string extension = entry.path().extension();
       if (extension == ".h" || extension == ".cpp" || extension == ".cu")
@@ -167,7 +167,7 @@ TEST(Architecture, AppsIncludePublicHeadersOnly) {
     for (std::string text; std::getline(in, text);)
       if (std::regex_match(text, match, line) && match[1].str().find('/') != std::string::npos) {
         EXPECT_TRUE(match[1].str().starts_with("freshet/") || match[1] == "validate/validate.h" ||
-                  match[1] == "window/window.h")
+                    match[1] == "window/window.h")
             << entry.path() << ": " << text;
       }
   }

@@ -40,6 +40,10 @@ template <int D> class CpuSets {
   /// search.
   void edit(const char* name, Particles<D>& p, std::span<const int> gone, int more);
 
+  /// Between steps: moves the field that starts at `data` to other memory. The memory of before
+  /// stays valid and unchanged as long as the returned object lives. Null if no field starts there.
+  std::shared_ptr<const void> keep(const Particles<D>& p, const void* data);
+
   /// Sorts `moving` and every other set that moves; sorts sets at rest the first time. Then lists
   /// the neighbours of each particle of `moving` in every set.
   template <class... Fixed>
@@ -86,7 +90,7 @@ template <int D> class CpuSets {
   template <class T> void share_blocks(const Particles<D>& p, Field<T> field);
   /// Of a field, for `room` particles and their copies.
   static std::size_t bytes_for(int room, const Set& set, const Memory& m);
-  void grow(Memory& m, int n, std::size_t bytes);
+  Buffer<std::byte> move(Memory& m, int n, std::size_t bytes);
   void clear(Memory& m, int begin, int end);
   void sort(Real h, const Particles<D>& p);
   void sort_if_needed(Real h, const Particles<D>& p);

@@ -31,16 +31,28 @@ template <int D> void CpuSets<D>::add_field(const Particles<D>& set, FieldOfSet 
 template <int D> std::size_t CpuSets<D>::bytes_for(int room, const Set& set, const Memory& m) {
   return (std::size_t(room) * std::size_t(set.copies.room()) + lanes) * m.field.bytes;
 }
-/// Moves the first n values of a field to larger memory.
-template <int D> void CpuSets<D>::grow(Memory& m, int n, std::size_t bytes) {
-  Buffer<std::byte> larger;
-  larger.reserve(bytes);
+/// Moves the first n values of a field to memory of this size. Returns the memory of before.
+template <int D> Buffer<std::byte> CpuSets<D>::move(Memory& m, int n, std::size_t bytes) {
+  Buffer<std::byte> other;
+  other.reserve(bytes);
   threads_.blocks(n, [&](int b, int e) {
     const std::size_t first = std::size_t(b) * m.field.bytes;
-    std::memcpy(larger.get() + first, m.data.get() + first, std::size_t(e - b) * m.field.bytes);
+    std::memcpy(other.get() + first, m.data.get() + first, std::size_t(e - b) * m.field.bytes);
   });
-  m.data = std::move(larger);
+  std::swap(m.data, other);
   m.field.point(m.field.field, m.data.get());
+  return other;
+}
+template <int D>
+std::shared_ptr<const void> CpuSets<D>::keep(const Particles<D>& p, const void* data) {
+  const Set& set = of(p);
+  for (Memory& m : of(p).memory) {
+    if (m.data.get() != data) continue;
+    auto kept = std::make_shared<Buffer<std::byte>>();
+    *kept = move(m, p.n + p.copies + lanes, bytes_for(set.room, set, m));
+    return kept;
+  }
+  return nullptr;
 }
 /// Zeroes a range in parallel, so that each thread first touches the pages that it will use.
 template <int D> void CpuSets<D>::clear(Memory& m, int begin, int end) {
@@ -72,7 +84,7 @@ void CpuSets<D>::edit(const char* name, Particles<D>& p, std::span<const int> go
   // All memory grows before anything changes, so that the fluid stays whole if memory runs out.
   if (n > set.room) {
     const int room = roomier(n, set.room);
-    for (Memory& m : set.memory) grow(m, p.n, bytes_for(room, set, m));
+    for (Memory& m : set.memory) move(m, p.n, bytes_for(room, set, m));
     set.room = room;
   }
   for (Memory& m : set.memory) {

@@ -41,6 +41,10 @@ template <int D> class ReferenceSets {
   /// search.
   void edit(const char* name, Particles<D>& p, std::span<const int> gone, int more);
 
+  /// Between steps: moves the field that starts at `data` to other memory. The memory of before
+  /// stays valid and unchanged as long as the returned object lives. Null if no field starts there.
+  std::shared_ptr<const void> keep(const Particles<D>& p, const void* data);
+
   /// Lists the neighbours of each particle of `moving` in every set.
   template <class... Fixed>
   void find_neighbors(const char* name, Real support_radius, Particles<D>& moving,
@@ -73,7 +77,7 @@ template <int D> class ReferenceSets {
   };
   void add_field(const Particles<D>& set, FieldOfSet field);
   std::unique_ptr<std::byte[]> room_for(int particles, const Memory& m) const;
-  void grow(Memory& m, int n, int room);
+  std::unique_ptr<std::byte[]> move(Memory& m, int n, int room);
   void search(const char* name, Real support_radius, Particles<D>& moving,
               std::initializer_list<const Particles<D>*> fixed);
   void remember_positions(const Particles<D>& p);

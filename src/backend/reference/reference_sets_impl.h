@@ -35,12 +35,21 @@ std::unique_ptr<std::byte[]> ReferenceSets<D>::room_for(int particles, const Mem
   return std::make_unique<std::byte[]>(std::size_t(particles) * each);
 }
 
-/// Moves the first n values of a field to memory for `room` particles.
-template <int D> void ReferenceSets<D>::grow(Memory& m, int n, int room) {
-  auto larger = room_for(room, m);
-  std::copy_n(m.data.get(), std::size_t(n) * m.field.bytes, larger.get());
-  m.data = std::move(larger);
+/// Moves the first n values of a field to memory for `room` particles. Returns the memory of
+/// before.
+template <int D> std::unique_ptr<std::byte[]> ReferenceSets<D>::move(Memory& m, int n, int room) {
+  auto other = room_for(room, m);
+  std::copy_n(m.data.get(), std::size_t(n) * m.field.bytes, other.get());
+  std::swap(m.data, other);
   m.field.point(m.field.field, m.data.get());
+  return other;
+}
+template <int D>
+std::shared_ptr<const void> ReferenceSets<D>::keep(const Particles<D>& p, const void* data) {
+  for (Memory& m : memory_)
+    if (m.set == p.set && m.data.get() == data)
+      return std::shared_ptr<std::byte[]>(move(m, p.n + p.copies, room_[std::size_t(p.set)]));
+  return nullptr;
 }
 
 template <int D> void ReferenceSets<D>::save(const char* name, const Particles<D>& p) {
@@ -66,7 +75,7 @@ void ReferenceSets<D>::edit(const char* name, Particles<D>& p, std::span<const i
   if (n > room) {
     const int more_room = roomier(n, room);
     for (Memory& m : memory_)
-      if (m.set == p.set) grow(m, p.n, more_room);
+      if (m.set == p.set) move(m, p.n, more_room);
     room = more_room;
   }
   for (Memory& m : memory_) {
