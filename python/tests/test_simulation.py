@@ -109,6 +109,8 @@ def test_run_shows_progress_by_tqdm(capsys):
     pytest.importorskip("tqdm", reason="tqdm is not installed")
     sim().run(until=0.01, progress=True)
     assert "100 %" in capsys.readouterr().err
+    sim().run(until=float("inf"), every=20, callback=lambda s: s.steps < 20, progress=True)
+    assert "0.01 s" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("terminal", [True, False])
