@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from dataclasses import dataclass
 from numbers import Integral
 from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple, Union
@@ -15,6 +16,10 @@ from . import _freshet, plots
 from .errors import Error
 from .progress import progress_bar
 from .scenes import SceneLike, check, overrides
+
+
+_LATEST = sys.float_info.max
+"""In place of an infinite time, from which no tolerance can be subtracted."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +74,7 @@ class Simulation(_freshet.SimulationBase):
         callback: Optional[Callable[["Simulation"], Any]] = None,
         progress: bool = False,
     ) -> "Simulation":
-        """Steps until a time [s]; by default to time.end.
+        """Steps until a time [s]; by default to time.end. An infinite time leaves the end to `callback`.
 
         `callback(sim)` is called at the start, at the end and between: after every `every` steps if
         that is an int, after the first step at or beyond each multiple of `every` seconds if it is a
@@ -102,7 +107,7 @@ class Simulation(_freshet.SimulationBase):
         if every is not None and not by_steps and every < math.inf:
             time = min(until, (math.floor(self.time / every + 1e-9) + 1) * every)
         while steps > 0 and not self._reached(time):
-            steps -= self._step_until(time, steps, 0.1)
+            steps -= self._step_until(min(time, _LATEST), steps, 0.1)
             show(self.time)
 
     def change(self, set: Mapping[str, Any]) -> None:
