@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Stepping, state, interventions, checkpoints."""
 
+import gc
 import json
 import os
 import signal
@@ -83,6 +84,44 @@ def test_ctrl_c_ends_steps_and_leaves_a_whole_state(call):
     again = sim()
     again.step(simulation.steps)
     assert again.state_sha256() == simulation.state_sha256()
+
+
+def test_ctrl_c_ends_the_wait_for_another_thread():
+    simulation, begun = sim(), threading.Event()
+
+    def stay(fluid, when):
+        begun.set()
+        time.sleep(3)
+        return np.zeros_like(fluid.x)
+
+    simulation.set_force(stay)
+    thread = threading.Thread(target=simulation.step)
+    thread.start()
+    begun.wait()
+    threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+    begin = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        simulation.statistics()
+    assert time.monotonic() - begin < 2.5
+    thread.join()
+
+
+def test_arguments_are_checked_at_once():
+    simulation = sim()
+    with pytest.raises(ValueError, match="n must be >= 0; it is -1"):
+        simulation.step(-1)
+    with pytest.raises(TypeError, match="a force must be a function"):
+        simulation.set_force(3)
+    with pytest.raises(ValueError, match="threads must be >= 0"):
+        freshet.Simulation("dam_break_2d", threads=-1)
+
+
+def test_an_array_outlives_its_simulation():
+    simulation = sim()
+    x, before = simulation.x, simulation.x.copy()
+    del simulation
+    gc.collect()
+    assert (x == before).all()
 
 
 def test_run_calls_back_at_times_and_steps():
