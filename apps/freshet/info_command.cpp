@@ -99,7 +99,10 @@ std::string tolerance_row(const Scene& s, const Derived& d) {
 }
 
 std::string sound_row(const Scene& s, const Derived& d) {
-  const std::string speed = fmt::format("{:.4g} m/s", d.sound_speed);
+  const bool is_set = s.solver.sound_speed || s.solver.stiffness;
+  const std::string speed =
+      fmt::format("{:.4g} m/s{}", d.sound_speed,
+                  is_set ? "" : ", ten times the fastest flow: a fall, a start, a body or a wall");
   return s.method().reads("solver.stiffness")
              ? fmt::format("{} (stiffness {:.4g} m²/s²)", speed, d.stiffness)
              : speed;

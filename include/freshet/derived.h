@@ -50,8 +50,8 @@ struct Derived {
   double gradient_error;  ///< relative error of the discrete gradient of a linear field on the
                           ///< lattice; Spiky for mueller2003, else the scene's kernel
   double neighbors;       ///< in the resting lattice, the particle itself not counted
-  double fastest;  ///< maximum of the initial speed, the inlet speeds and the speed of a fall
-                   ///< through the domain [m/s]
+  double fastest;  ///< maximum of the speeds at the start, of inlets, moved bodies and walls, and
+                   ///< of a fall from the top of the fluid to the end of the domain [m/s]
   /// Stiffness [m²/s²] and speed of sound [m/s], stiffness = sound_speed². The pressure solvers
   /// have no sound. For them sound_speed is ten times `fastest`.
   double stiffness, sound_speed;

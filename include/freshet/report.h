@@ -30,6 +30,8 @@ struct Statistics {
   double height_mean = 0;                           ///< mean of y
   double kinetic_energy = 0, potential_energy = 0;  ///< [J; J/m in 2D], potential 0 at the origin
   std::vector<double> momentum;                     ///< [kg m/s; (kg m/s)/m in 2D], one per axis
+  /// About the origin [kg m²/s; (kg m²/s)/m in 2D]: about z in 2D; about x, y and z in 3D.
+  std::vector<double> angular_momentum;
 };
 
 /// The time steps of a run [s], and how often each bound limited an adaptive step.

@@ -21,7 +21,7 @@ struct SolverSettings {
   std::optional<double> sound_speed;                  // wcsph, delta_sph
   std::optional<double> artificial_viscosity;         // wcsph, delta_sph
   std::optional<DensityDiffusion> density_diffusion;  // delta_sph
-  double delta = 0.1;                                 // delta_sph
+  double delta = 0.1, acoustic_damping = 0.5;         // delta_sph
   double background_pressure = 0;                     // wcsph, delta_sph
   // The pressure solvers: pcisph, iisph, dfsph, pbf
   std::optional<double> density_tolerance;              // Derived has the default
@@ -30,7 +30,7 @@ struct SolverSettings {
   std::int64_t min_iterations = 1, max_iterations = 100;
   bool warm_start = true;                     // iisph, dfsph
   Iteration iteration = Iteration::nesterov;  // dfsph
-  double xsph = 0.01;
+  double xsph = 0.1;
   // All solvers but mueller2003. Scene::viscosity_method() has the default.
   std::optional<ViscosityMethod> viscosity_method;
   double viscosity_tolerance = 0.001;           // weiler2018

@@ -11,7 +11,7 @@ struct Units {
   const char *time = "s", *length = "m", *speed = "m/s", *angular_velocity = "rad/s";
   const char *density = "kg/m^3", *pressure = "Pa";
   const char *volume, *flow_rate, *mass, *inertia;
-  const char *force, *torque, *momentum, *energy;
+  const char *force, *torque, *momentum, *angular_momentum, *energy;
 };
 
 constexpr Units units_in(int dimension) {
@@ -24,6 +24,7 @@ constexpr Units units_in(int dimension) {
   u.force = slice ? "N/m" : "N";
   u.torque = slice ? "N m/m" : "N m";
   u.momentum = slice ? "(kg m/s)/m" : "kg m/s";
+  u.angular_momentum = slice ? "(kg m^2/s)/m" : "kg m^2/s";
   u.energy = slice ? "J/m" : "J";
   return u;
 }

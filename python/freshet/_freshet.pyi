@@ -101,6 +101,7 @@ class Statistics:
     kinetic_energy: float
     potential_energy: float
     momentum: npt.NDArray[np.float64]
+    angular_momentum: npt.NDArray[np.float64]
 
 class TimeSteps:
     last: float

@@ -61,7 +61,10 @@ void bind_statistics(py::module_& m) {
       .def_readonly("potential_energy", &S::potential_energy, "0 at the origin [J; J/m in 2D].")
       .def_property_readonly(
           "momentum", [](const S& s) { return array_of(s.momentum); },
-          "[kg m/s; (kg m/s)/m in 2D].");
+          "[kg m/s; (kg m/s)/m in 2D].")
+      .def_property_readonly(
+          "angular_momentum", [](const S& s) { return array_of(s.angular_momentum); },
+          "About the origin, about z in 2D [kg m²/s; (kg m²/s)/m in 2D].");
 }
 
 void bind_times(py::module_& m) {

@@ -24,7 +24,9 @@ template <int D> struct Cell {
   }
 };
 
-/// Maps positions to cells.
+/// Maps positions to cells. The cells' borders are shifted by an odd fraction of a cell from the
+/// origin: particles on a lattice would else lie on borders, where rounding decides about their
+/// cell, and where a search for several targets together ends.
 template <int D> class Cells {
  public:
   static constexpr int split = 4;
@@ -38,7 +40,7 @@ template <int D> class Cells {
 
   /// x along axis d in units of cells, clamped to ±1e9. A NaN is mapped to the last cell.
   FRESHET_HD double along(Real x, int d) const {
-    const double c = double(x) * (d == 0 ? split * inverse_ : inverse_);
+    const double c = double(x) * (d == 0 ? split * inverse_ : inverse_) + shift;
     const double below = c < last ? c : last;
     return below > -last ? below : -last;
   }
@@ -48,14 +50,16 @@ template <int D> class Cells {
     return cell;
   }
   /// The lower end of a cell along axis d [m].
-  FRESHET_HD double begin(double c, int d) const { return c * (d == 0 ? side_ / split : side_); }
+  FRESHET_HD double begin(double c, int d) const {
+    return (c - shift) * (d == 0 ? side_ / split : side_);
+  }
   FRESHET_HD static std::int32_t floor(double c) {
     const auto toward_zero = std::int32_t(c);
     return toward_zero - (double(toward_zero) > c);
   }
 
  private:
-  static constexpr double last = 1e9;
+  static constexpr double last = 1e9, shift = 0.381966;
   double side_ = 1, inverse_ = 1;
 };
 

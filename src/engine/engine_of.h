@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <unordered_map>
 
 #include "engine/body_force.h"
 #include "engine/carried_bodies.h"
 #include "engine/engine.h"
 #include "engine/engine_backend.h"
+#include "engine/search_between_steps.h"
 #include "engine/stepper.h"
 #include "engine/store.h"
 #include "engine/wall_forces_impl.h"
@@ -205,7 +205,8 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
     resize(std::int64_t(frame.size()));
     for (int i = 0; i < fluid_.n; ++i) show_particle(frame, i);
     if (bodies_) bodies_->show(walls_, frame.bodies, frame.time, moment);
-    search_between_steps(walls_.akinci2012, walls_.adami2012, walls_.monaghan2009);
+    search_between_steps(store_.backend, support_, fluid_, walls_.akinci2012, walls_.adami2012,
+                         walls_.monaghan2009);
     lists_are_stale_ = false;
     show_bodies(store_.backend, walls_, fluid_, support_);
     extrapolate_to_walls(store_.backend, walls_, fluid_, kernel_, of_walls_);
@@ -339,35 +340,11 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
     }
   }
 
-  /// Lists neighbours anew, and sorts these sets of walls. The search sorts the kept fields; rho, p
-  /// and a are scratch that is read between steps, and follow their particles here.
-  template <class... Sets> void search_between_steps(Sets&... sets) {
-    B& backend = store_.backend;
-    std::unordered_map<std::uint64_t, int> place;
-    for (int i = 0; i < fluid_.n; ++i) place[fluid_.id[i]] = i;
-    const auto copy = [&](auto field) { return std::vector(field.data, field.data + fluid_.n); };
-    const auto rho = copy(fluid_.rho), p = copy(fluid_.p);
-    const auto a = copy(fluid_.a);
-    backend.find_neighbors("wall forces", support_, fluid_, sets...);
-    for (int i = 0; i < fluid_.n; ++i) {
-      const auto from = std::size_t(place[fluid_.id[i]]);
-      fluid_.rho[i] = rho[from];
-      fluid_.p[i] = p[from];
-      fluid_.a[i] = a[from];
-    }
-    backend.share("wall forces", fluid_, fluid_.rho, fluid_.p);
-    if (fluid_.kind.data) backend.share("wall forces", fluid_, fluid_.kind);
-  }
   /// All forces on walls but bounces.
   void add_wall_forces(WallForces<D, B>& forces) {
     B& backend = store_.backend;
-    if (std::exchange(lists_are_stale_, false)) search_between_steps();
-    Walls<D> walls = walls_;
-    walls.akinci2012.moves = walls.adami2012.moves = false;  // they are sorted already
-    for (const Particles<D>* wall : std::initializer_list<const Particles<D>*>{
-             &walls.akinci2012, &walls.adami2012, &walls.monaghan2009})
-      if (wall->n > 0) backend.list_neighbors("wall forces", support_, *wall, fluid_);
-    backend.share("wall forces", fluid_, fluid_.v);
+    if (std::exchange(lists_are_stale_, false)) search_between_steps(backend, support_, fluid_);
+    const Walls<D> walls = list_fluid_near_walls(backend, support_, fluid_, walls_);
     stepper_->add_wall_forces(backend, walls, forces);
     if (forces_) forces_->add_wall_forces(fluid_, walls, forces);
   }

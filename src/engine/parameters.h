@@ -92,6 +92,7 @@ WeaklyCompressibleParameters<D> parameters_of(const EnginePlan& p,
   c.lightest = Real(p.lightness);
   c.alpha = Real(p.artificial_viscosity);
   c.delta = Real(p.density_diffusion);
+  c.acoustic_damping = Real(p.acoustic_damping);
   c.antuono = p.antuono2010;
   c.gravity = vec_of<D, Real>(p.gravity);
   c.confine = confinement<D>(p);
@@ -111,6 +112,7 @@ IncompressibleParameters<D> parameters_of(const EnginePlan& p, IncompressiblePar
   if (p.own_viscosity == 0)  // NonPressureForces computes the viscosity
     for (Liquid& liquid : c.liquids.liquid) liquid.nu = 0;
   c.xsph = Real(p.xsph);
+  c.xsph_time = Real(p.xsph_time);
   c.repulsion = Real(square(0.1 * p.sound_speed));
   c.response = Real(p.lattice_response * p.mass * p.mass);
   c.stiffness = Real(p.lattice_stiffness);

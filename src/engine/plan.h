@@ -120,9 +120,10 @@ struct EnginePlan {
   double speed_limit = std::numeric_limits<double>::infinity();  ///< article [m/s]
   double background_pressure = 0;                                ///< [Pa]
   double artificial_viscosity = 0, density_diffusion = 0;        ///< alpha, delta
+  double acoustic_damping = 0;
   bool antuono2010 = false;  ///< diffusion of Antuono 2010, else of Fourtakas 2019
   double own_viscosity = 0;  ///< maximum kinematic viscosity that a pressure solver sums itself
-  double xsph = 0;
+  double xsph = 0, xsph_time = 0;  ///< share, and the time in which [s]; 0: in a step
   double lattice_response = 0, lattice_stiffness = 0, surface_deficit = 0;  // lattice_sum.h
   bool warm_start = false, accelerated = false, gradual = false;
   Iterations density{}, divergence{};

@@ -6,7 +6,8 @@ namespace freshet {
 
 SolverMethod delta_sph_method() {
   SolverMethod m = weakly_compressible_method();
-  m.keys.insert(m.keys.end(), {"solver.density_diffusion", "solver.delta"});
+  m.keys.insert(m.keys.end(),
+                {"solver.density_diffusion", "solver.delta", "solver.acoustic_damping"});
   m.solver = SolverName::delta_sph;
   m.name = "delta_sph";
   m.paper = "Antuono et al. 2010";

@@ -6,15 +6,17 @@ namespace freshet {
 inline namespace FRESHET_ISA {
 
 /// a_i = sum_j 2m/(rho_i + rho_j) (2 (D + 2) nu_ij (v_ij · x_ij)/(|x_ij|^2 + eps) grad W_ij
-///                                 - xsph/dt v_ij W_ij),  nu_ij = 2 nu_i nu_j/(nu_i + nu_j)
+///                        - D xsph_rate (v_ij · x_ij)/(|x_ij|^2 + eps) x_ij W_ij),
+/// nu_ij = 2 nu_i nu_j/(nu_i + nu_j)
 ///
 /// The first part is nu lap v [Monaghan 2005, with the factor of a divergence-free flow in D
-/// dimensions]. The second part moves each velocity a share of the way to its neighbours' mean
-/// [Monaghan 1989; XSPH in the form of Schechter and Bridson 2012]. Both conserve momentum; the
-/// first conserves angular momentum as well. The harmonic mean nu_ij makes the stress equal on both
-/// sides of the interface of two liquids [Cleary and Monaghan 1999].
+/// dimensions]. The second part moves each velocity toward those of its neighbours [Monaghan 1989;
+/// XSPH in the form of Schechter and Bridson 2012], but along the line between the two particles
+/// only: on average 1/D of the difference, hence the factor D. Rigid rotation has no such part, and
+/// is kept. Both parts conserve momentum and angular momentum. The harmonic mean nu_ij makes the
+/// stress equal on both sides of the interface of two liquids [Cleary and Monaghan 1999].
 ///
-///   m [kg/m^(3-D)], nu [m^2/s], eps_h2 0.01 h^2 [m^2], xsph_rate xsph/dt [1/s]
+///   m [kg/m^(3-D)], nu [m^2/s], eps_h2 0.01 h^2 [m^2], xsph_rate [1/s]
 ///   reads rho [kg/m^3] (> 0), v [m/s];  the sum in m/s^2
 template <int D, template <int> class Kernel> struct LaminarViscosity {
   Kernel<D> W;
@@ -34,8 +36,9 @@ template <int D, template <int> class Kernel> struct LaminarViscosity {
   FRESHET_HD Vec<D, R> operator()(const Pair<D, R>& ij, const At<R>& i, const At<R>& j) const {
     const Vec<D, R> v_ij = i.v - j.v;
     const R nu = 2 * i.nu * j.nu / max(i.nu + j.nu, R(least_nu));
-    const R along = 2 * (D + 2) * nu * dot(v_ij, ij.x) / (ij.r2 + eps_h2);
-    return (2 * m / (i.rho + j.rho)) * (along * W.gradient(ij) - (xsph_rate * W(ij)) * v_ij);
+    const R along = dot(v_ij, ij.x) / (ij.r2 + eps_h2);
+    return (2 * m / (i.rho + j.rho) * along) *
+           (2 * (D + 2) * nu * W.gradient(ij) - (D * xsph_rate * W(ij)) * ij.x);
   }
 };
 template <int D, template <int> class K, class... A>

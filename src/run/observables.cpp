@@ -60,6 +60,8 @@ std::string observables_header(const Scene& s) {
   line += fmt::format(",kinetic energy [{0}],potential energy [{0}]", units.energy);
   for (int d = 0; d < s.dimension(); ++d)
     line += fmt::format(",momentum {} [{}]", axis_letters[d], units.momentum);
+  for (int d = s.dimension() == 2 ? 2 : 0; d < 3; ++d)
+    line += fmt::format(",angular momentum {} [{}]", axis_letters[d], units.angular_momentum);
   line += fmt::format(
       ",density mean [{0}],density max [{0}],density error mean [%],density error max [%],"
       "speed mean [m/s],speed max [m/s],fastest particle",
@@ -95,7 +97,8 @@ std::string observables_line(const Simulation& s, const std::vector<Vector>& wal
     line += fmt::format(",{},{:.9g}", solve.last_iterations, 100 * solve.last_error);
   }
   line += fmt::format(",{:.9g},{:.9g}", t.kinetic_energy, t.potential_energy);
-  for (const double p : t.momentum) line += fmt::format(",{:.9g}", p);
+  for (const auto* momentum : {&t.momentum, &t.angular_momentum})
+    for (const double p : *momentum) line += fmt::format(",{:.9g}", p);
   line += fmt::format(",{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{}", t.density_mean,
                       t.density_max, 100 * t.density_error_mean, 100 * t.density_error_max,
                       t.speed_mean, t.speed_max, t.fastest);

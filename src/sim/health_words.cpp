@@ -38,8 +38,8 @@ std::string Health::last_fastest() const {
 /// What speeds are compared with. Without sound a tenth of the nominal one.
 const char* Health::reference() const {
   if (!scene_.method().incompressible()) return "sound";
-  return sound_speed() > derived_.sound_speed ? "the fastest solid"
-                                              : "the start or a fall through the domain";
+  const bool is_driven = 10 * drive_speed_ > 0.99 * derived_.sound_speed;
+  return is_driven ? "the fastest solid" : "the start or a fall through the domain";
 }
 double Health::times_reference(double speed) const {
   return speed / sound_speed() * (scene_.method().incompressible() ? 10 : 1);

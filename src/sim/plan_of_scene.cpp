@@ -154,12 +154,14 @@ template <int D> void plan_pressure(const Scene& s, const Derived& d, EnginePlan
   p.artificial_viscosity = artificial_viscosity(s);
   const DensityDiffusion diffusion = s.density_diffusion();
   p.density_diffusion = diffusion == DensityDiffusion::none ? 0 : solver.delta;
+  p.acoustic_damping = solver.acoustic_damping;
   p.antuono2010 = diffusion == DensityDiffusion::antuono2010;
   if (!p.incompressible) return;
   // other methods than its own are forces outside of the solver
   if (s.viscosity_method() == ViscosityMethod::monaghan2005)
     p.own_viscosity = d.viscosity / d.rest_density;
   p.xsph = solver.xsph;
+  p.xsph_time = std::isfinite(d.force_step) ? d.force_step : 0;
   const SceneKernel<D> W(Real(p.support), p.kernel);
   p.lattice_response = lattice_response<D>(W, p.spacing, p.support);
   p.lattice_stiffness = lattice_stiffness<D>(W, p.spacing, p.support);

@@ -311,6 +311,7 @@ Statistics Simulation::statistics() const {
   const auto D = std::size_t(f.dimension);
   Statistics out;
   out.momentum.assign(D, 0);
+  out.angular_momentum.assign(D == 2 ? 1 : 3, 0);
   out.particles = std::int64_t(f.size());
   if (f.size() == 0) return out;
   out.density_min = out.density_max = double(f.density[0]);
@@ -326,6 +327,11 @@ Statistics Simulation::statistics() const {
       inside &= x >= s.domain.min[d] - margin && x <= s.domain.max[d] + margin;
       potential -= m * s.domain.gravity[d] * x;
       out.momentum[d] += m * v;
+    }
+    for (std::size_t k = 0; k < out.angular_momentum.size(); ++k) {
+      const std::size_t a = D == 2 ? 0 : (k + 1) % 3, b = D == 2 ? 1 : (k + 2) % 3;
+      const double ma = m * f.position(i, a), mb = m * f.position(i, b);
+      out.angular_momentum[k] += ma * f.v[D * i + b] - mb * f.v[D * i + a];
     }
     const double speed = std::sqrt(speed2), density = f.density[i];
     out.out_of_bounds += !inside;

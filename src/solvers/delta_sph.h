@@ -40,7 +40,9 @@ template <int D> struct DeltaSphFluid : FluidParticles<D> {
 
 /// Free-surface flows by SPH with numerical diffusive terms [Antuono, Colagrossi, Marrone, Molteni
 /// 2010]. The density follows from the continuity equation with diffusion, the pressure from Tait's
-/// equation.
+/// equation. A bulk viscosity a h c0 div v damps sound [Sun, Pilloton, Antuono, Colagrossi 2023,
+/// the acoustic damper]: it is the pressure a h c0 Drho/Dt, with the last known rate, which needs
+/// no pass of its own.
 template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
   using Fluid = DeltaSphFluid<D>;
   WeaklyCompressibleParameters<D> c;
@@ -99,8 +101,9 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
     SetRates finish{f, moving_rate(w), c.liquids, c.gravity, t.dt, c.antuono, density_first};
     finish.advances = density_first;
     if (density_first) sum_rates(backend, f, w, "continuity", finish);
+    const Real bulk = c.acoustic_damping * c.h * c.c0;
     backend.for_each("pressure", f, [=] FRESHET_LAMBDA(int i) {
-      f.p[i] = tait(B_tait, f.rho[i] / rho0, background);
+      f.p[i] = tait(B_tait, f.rho[i] / rho0, background) + bulk * f.drho[i];
     });
     backend.share("rho, p", f, f.rho, f.p);
     extrapolate_to_walls(backend, w, f, W, c);
@@ -121,7 +124,8 @@ template <int D, Backend<D> B, template <int> class Kernel> struct DeltaSph {
     bool advances = false;  ///< rho += dt drho; else a and drho become the rates
     FRESHET_HD void operator()(int i, const DeltaSphSum<D, Real>& sum) const {
       if (advances) {
-        f.rho[i] += dt * density_rate(f, moving_rate, diffuses, i, sum.drho);
+        f.drho[i] = density_rate(f, moving_rate, diffuses, i, sum.drho);
+        f.rho[i] += dt * f.drho[i];
         return;
       }
       f.a[i] = liquids.lightness(f, i) * sum.a + g;

@@ -28,11 +28,12 @@ template <int D> struct IncompressibleParameters {
   Real m, m_density;  ///< mass [kg/m^(3-D)]; mass over the kernel's lattice sum [kg/m^(3-D)]
   Real rho0;          ///< rest density [kg/m^3]
   Liquids liquids;
-  Real most_nu, xsph;  ///< maximum kinematic viscosity [m^2/s]; XSPH's share per step
-  Real repulsion;      ///< K of the repulsive walls [m^2/s^2]
-  Real response;       ///< of a particle in a resting lattice (pairs/density_and_response.h)
-  Real stiffness;      ///< largest eigenvalue of the equations over their diagonal, in a lattice
-  Vec<D> gravity;      ///< [m/s^2]
+  Real most_nu;          ///< maximum kinematic viscosity [m^2/s]
+  Real xsph, xsph_time;  ///< share of XSPH, and the time in which [s]
+  Real repulsion;        ///< K of the repulsive walls [m^2/s^2]
+  Real response;         ///< of a particle in a resting lattice (pairs/density_and_response.h)
+  Real stiffness;        ///< largest eigenvalue of the equations over their diagonal, in a lattice
+  Vec<D> gravity;        ///< [m/s^2]
   Confinement<D> confine;
   Real deficit;  ///< rho0 times that of a flat surface (kernels/lattice_sum.h) [kg/m^3]
   bool warm_start, accelerated;

@@ -49,13 +49,15 @@ void Incompressible<D, B, Kernel>::push_without_pressure(B& backend, const BaseF
   const Liquids liquids = c.liquids;
   backend.share("v", f, f.v);
   rub_bodies(backend, f, w);  // before v changes
-  backend.sum_pairs("viscosity", f, over(f, fluid_friction(f, c.xsph / dt)),
-                    over(w.akinci2012, akinci2012_friction(f, w.akinci2012)),
-                    over(w.monaghan2009, monaghan2009_forces(f, w)),
-                    [=] FRESHET_LAMBDA(int i, Vec<D> sum) {
-                      f.a[i] = liquids.lightness(f, i) * sum + g;
-                      f.v[i] += dt * f.a[i];
-                    });
+  const auto accelerate = [=] FRESHET_LAMBDA(int i, Vec<D> sum) {
+    f.a[i] = liquids.lightness(f, i) * sum + g;
+    f.v[i] += dt * f.a[i];
+  };
+  if (c.most_nu > 0 || c.xsph > 0 || w.monaghan2009.n > 0)
+    backend.sum_pairs("viscosity", f, over(f, fluid_friction(f, c.xsph / max(dt, c.xsph_time))),
+                      over(w.akinci2012, akinci2012_friction(f, w.akinci2012)),
+                      over(w.monaghan2009, monaghan2009_forces(f, w)), accelerate);
+  else backend.for_each("viscosity", f, [=] FRESHET_LAMBDA(int i) { accelerate(i, Vec<D>{}); });
   if (w.bodies) push_bodies(backend, f, w, dt);
   if (forces) forces->push(backend, f, w, dt);
   share_for_rate(backend, f);

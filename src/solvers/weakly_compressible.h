@@ -17,11 +17,12 @@ namespace freshet {
 inline namespace FRESHET_ISA {
 
 template <int D> struct WeaklyCompressibleParameters {
-  Real support, h;    ///< support radius, half of it [m]
-  Real m, m_density;  ///< mass [kg/m^(3-D)]; mass over the kernel's lattice sum [kg/m^(3-D)]
-  Real rho0, c0;      ///< rest density [kg/m^3] and speed of sound [m/s] of the densest liquid
-  Real background;    ///< pressure at rest density [Pa]
-  Real alpha, delta;  ///< coefficients of artificial viscosity and of density diffusion
+  Real support, h;        ///< support radius, half of it [m]
+  Real m, m_density;      ///< mass [kg/m^(3-D)]; mass over the kernel's lattice sum [kg/m^(3-D)]
+  Real rho0, c0;          ///< rest density [kg/m^3] and speed of sound [m/s] of the densest liquid
+  Real background;        ///< pressure at rest density [Pa]
+  Real alpha, delta;      ///< coefficients of artificial viscosity and of density diffusion
+  Real acoustic_damping;  ///< delta_sph: coefficient of the bulk viscosity
   Liquids liquids;
   Real lightest;   ///< the maximum lightness
   Vec<D> gravity;  ///< [m/s^2]

@@ -40,6 +40,7 @@ TEST(Observables, NameEveryColumnWithItsUnit) {
   EXPECT_EQ(
       "step,time [s],time step [s],ruled by,least bound [s],kinetic energy [J/m],"
       "potential energy [J/m],momentum x [(kg m/s)/m],momentum y [(kg m/s)/m],"
+      "angular momentum z [(kg m^2/s)/m],"
       "density mean [kg/m^3],density max [kg/m^3],density error mean [%],density error max "
       "[%],speed mean [m/s],"
       "speed max [m/s],fastest particle,force on x_min x [N/m],force on x_min y [N/m],"
@@ -54,7 +55,7 @@ TEST(Observables, NameThreeAxesAndQuoteWallNames) {
   scene.wall.resize(1);
   scene.wall[0].name = "rock, \"big\"\nand wet";
   const std::string header = observables_header(scene);
-  EXPECT_NE(std::string::npos, header.find(",momentum z [kg m/s],density mean [kg/m^3],"));
+  EXPECT_NE(std::string::npos, header.find(",momentum z [kg m/s],angular momentum x [kg m^2/s],"));
   EXPECT_NE(std::string::npos, header.find(",force on z_max z [N],"
                                            "\"force on rock, \"\"big\"\" and wet x [N]\","));
 }
@@ -85,9 +86,9 @@ TEST(Observables, HaveTheExpectedNumbers) {
   const std::vector<Vector> forces{{1, 2}, {3, 4}, {0, 0}, {-0.5, 1e-9}};
   // Mass: 1000 kg/m^3 · 0.01 m^2 = 10 kg/m. Limit: 0.4 · 0.1 m/(2 m/s + √4.25 m/s). Density: 10
   // kg/m · Poly6(0) = 4/(π · 0.04 m^2), divided by the lattice sum 4/(π · 4) (1 + 4 · 0.75^3 + 4 ·
-  // 0.5^3).
+  // 0.5^3). Angular momentum: 10 kg/m (-0.5 · -1 + 1.5 · 0.5 - 0.5 · 2) m^2/s.
   EXPECT_EQ(
-      "1,0.001,0.001,fixed,0.0098484502,26.25,0,10,5,"
+      "1,0.001,0.001,fixed,0.0098484502,26.25,0,10,5,2.4999994,"
       "313.725494,313.725494,0,0,1.53077641,2.06155281,1,1,2,3,4,0,0,"
       "-0.5,1e-09\n",
       observables_line(sim, forces));

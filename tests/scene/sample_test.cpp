@@ -258,7 +258,7 @@ TEST(Derive, HasTheExpectedNumbersIn3D) {
   EXPECT_NEAR(1, d.mass, 1e-12);
   EXPECT_EQ(26, d.neighbors);
   EXPECT_NEAR(1.03, d.lattice_sum, 0.02);
-  EXPECT_NEAR(10 * std::sqrt(2 * 9.81), d.sound_speed, 1e-9);
+  EXPECT_NEAR(10 * std::sqrt(2 * 9.81 * 0.5), d.sound_speed, 1e-9) << "of the water's height";
   EXPECT_NEAR(0.4 * 0.1 / d.sound_speed, d.acoustic_step, 1e-12);
   EXPECT_NEAR(0.125 * 0.1 * 10 / (0.05 * d.sound_speed), d.viscous_step, 1e-9);
   EXPECT_EQ(std::int64_t(sample(scene).adami2012.wall.size()), d.wall_particles);

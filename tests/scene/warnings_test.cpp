@@ -37,9 +37,9 @@ TEST(SceneWarnings, SoundSlowerThanFiveTimesAFall) {
   const std::string slow = warnings_of(dam("wcsph\"\nsound_speed = 25.0", adaptive));
   EXPECT_TRUE(contains(slow,
                        "s.toml:10:15: warning: the speed of sound is 25 m/s, and a fall through "
-                       "the domain reaches 6.18"))
+                       "the domain reaches 6.264"))
       << slow;
-  EXPECT_TRUE(contains(slow, "compresses the fluid by about 6.12 %")) << slow;
+  EXPECT_TRUE(contains(slow, "compresses the fluid by about 6.28 %")) << slow;
   EXPECT_EQ("", warnings_of(dam("wcsph\"\nsound_speed = 35.0", adaptive)));
   EXPECT_EQ("", warnings_of(dam("dfsph\"", adaptive)));
 }
@@ -62,7 +62,7 @@ TEST(SceneWarnings, FixedStepOverItsBound) {
 
 TEST(SceneWarnings, OutputMoreOftenThanTheRealStep) {
   const std::string every = "[output]\nobservables_every = ";
-  // step_max is 0.01 s, and the step is 0.0006 s
+  // step_max is 0.01 s, and the sound makes the step shorter
   EXPECT_EQ("", warnings_of(dam("wcsph\"", adaptive, every + "0.002\n")));
   EXPECT_TRUE(contains(warnings_of(dam("wcsph\"", adaptive, every + "0.0002\n")),
                        "warning: output.observables_every is 0.0002 s, shorter than the time step, "

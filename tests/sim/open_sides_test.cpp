@@ -114,7 +114,7 @@ TEST(OpenSide, HasTheSameBitsEverywhere) {
     for (const std::string& more : {std::string(), flows}) {
       std::string text = waterfall(solver, sides) + more;
       text.insert(text.find("[[wall]]"), "velocity = [8, 0]\n");
-      const int steps = solver == std::string("dfsph") ? 60 : 300;
+      const int steps = solver == std::string("dfsph") ? 60 : 600;
       const Outcome o = expect_same_bits(text, steps);
       EXPECT_GT(o.flows[o.flows.size() - 6], 0) << "none has left: the test shows nothing";
       expect_same_bits_after_restart(text, steps * 3 / 4, steps / 4);

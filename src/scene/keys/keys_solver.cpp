@@ -51,8 +51,9 @@ void pressure_keys(KeyVisitor& v, Scene::Solver& s) {
                     "which needs fewer iterations"});
   v.number("xsph", s.xsph,
            {.unit = "",
-            .text = "fraction of the way to the neighbours' mean velocity that a particle goes per "
-                    "step; pressure solvers",
+            .text = "share of the velocity differences to the neighbours, along the lines between "
+                    "them, that is removed in the time 0.25 √(h/g), or in a step that is longer "
+                    "or without gravity; pressure solvers",
             .min = 0,
             .max = 1});
 }
@@ -89,7 +90,8 @@ void solver_keys(KeyVisitor& v, Scene::Solver& s) {
             .text = "speed of sound c in Tait's equation of state; `wcsph` and `delta_sph`",
             .min = 0,
             .above = true,
-            .fallback = "10 · √(2 g · height of the domain)"});
+            .fallback = "ten times the fastest flow: a fall √(v² + 2 g H) from the top of the "
+                        "fluid to the end of the domain, a moved body, a wall"});
   v.number("artificial_viscosity", s.artificial_viscosity,
            {.unit = "",
             .text = "α of Monaghan's artificial viscosity; `wcsph` and `delta_sph`",
@@ -102,6 +104,11 @@ void solver_keys(KeyVisitor& v, Scene::Solver& s) {
   v.number(
       "delta", s.delta,
       {.unit = "", .text = "δ, strength of the density diffusion; `delta_sph` only", .min = 0});
+  v.number("acoustic_damping", s.acoustic_damping,
+           {.unit = "",
+            .text = "bulk viscosity over h·c, which damps sound and not the flow; `delta_sph` only",
+            .min = 0,
+            .max = 1});
   v.number("background_pressure", s.background_pressure,
            {.unit = "Pa",
             .text = "constant added to the pressure, to keep it positive in flows without a free "

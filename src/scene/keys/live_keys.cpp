@@ -31,6 +31,7 @@ constexpr const char* live[] = {
     "solver.sound_speed",
     "solver.artificial_viscosity",
     "solver.delta",
+    "solver.acoustic_damping",
     "solver.background_pressure",
     "solver.density_tolerance",
     "solver.divergence_tolerance",

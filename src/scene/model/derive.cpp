@@ -10,6 +10,7 @@
 #include "kernels/wendland.h"
 #include "scene/check/check.h"
 #include "scene/model/data_bytes.h"
+#include "scene/model/fastest_flow.h"
 #include "scene/model/openings.h"
 #include "scene/model/picture_layout.h"
 #include "scene/model/schedule.h"
@@ -85,16 +86,6 @@ template <int D> void derive_lattice(const Scene& s, Derived& d) {
 
 double norm_of(const Vector& a) {
   return a.size() == 3 ? std::hypot(a[0], a[1], a[2]) : std::hypot(a[0], a[1]);
-}
-
-/// The square of the maximum speed of a fall in the domain, 2 |g| H [m²/s²]; H is the extent of the
-/// domain along gravity.
-double fastest_fall2(const Scene& s) {
-  const double gravity = norm_of(s.domain.gravity);
-  double height = 0;
-  for (std::size_t k = 0; k < s.domain.gravity.size() && gravity > 0; ++k)
-    height += std::abs(s.domain.gravity[k]) / gravity * (s.domain.max[k] - s.domain.min[k]);
-  return 2 * gravity * height;
 }
 
 void derive_liquids(const Scene& s, Derived& d) {
@@ -179,9 +170,10 @@ double support_radius(const Scene& s) {
 }
 
 double stiffness(const Scene& s) {
-  if (s.method().pressure == PressureFamily::linear)
-    return s.solver.stiffness.value_or(100 * fastest_fall2(s));
-  return s.solver.sound_speed ? square(*s.solver.sound_speed) : 100 * fastest_fall2(s);
+  const bool linear = s.method().pressure == PressureFamily::linear;
+  if (linear) return s.solver.stiffness.value_or(100 * square(fall_through_domain(s)));
+  if (s.solver.sound_speed) return square(*s.solver.sound_speed);
+  return 100 * square(fastest_flow(s).speed);
 }
 
 double sound_speed(const Scene& s) { return std::sqrt(stiffness(s)); }
@@ -252,7 +244,7 @@ Derived derive(const Scene& scene) {
   derive_steps(s, d);
   double fastest = fastest_start(start, s.dimension());
   for (const DerivedInlet& in : d.inlets) fastest = std::max(fastest, in.speed);
-  d.fastest = std::max(fastest, std::sqrt(fastest_fall2(s)));
+  d.fastest = std::max(fastest, fastest_flow(s).speed);
   if (s.method().incompressible()) derive_flow(s, fastest, d);
   return d;
 }
