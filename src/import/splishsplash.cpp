@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "import/splishsplash.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/input_file.h"
+#include "import/parse_json.h"
+
+namespace freshet {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The ids that the scene uses, in the order of their first block, model or emitter.
+std::vector<std::string> used_ids(JsonObject& scene) {
+  std::vector<std::string> ids;
+  for (const char* list : {"FluidBlocks", "FluidModels", "Emitters"})
+    for (JsonObject& o : scene.list(list))
+      if (const std::string id = o.text("id", "Fluid");
+          std::find(ids.begin(), ids.end(), id) == ids.end())
+        ids.push_back(id);
+  return ids;
+}
+
+/// The box of the scene: the tank, or a room around everything whose sides are open.
+TomlTable domain_of(const SplishWorld& world, const Vec<3, double>& gravity) {
+  Bounds room = world.extent;
+  if (world.tank) {
+    room = *world.tank;
+  } else {
+    if (room.empty()) {
+      room.add(Vec<3, double>{0, 0, 0});
+      room.add(Vec<3, double>{1, 1, 1});
+    }
+    const Vec<3, double> size = room.size();
+    const double beyond = std::max({1.0, size.x / 2, size.y / 2, world.flat() ? 0 : size.z / 2});
+    room.low = room.low - Vec<3, double>{beyond, beyond, beyond};
+    room.high = room.high + Vec<3, double>{beyond, beyond, beyond};
+  }
+  TomlTable table;
+  table.set("min", room.low, world.dimension);
+  table.set("max", room.high, world.dimension);
+  table.set("gravity", gravity, world.dimension);
+  return table;
+}
+
+void read_fields(JsonObject& scene) {
+  for (JsonObject& field : scene.list("AnimationFields"))
+    field.missing("particleField",
+                  fmt::format("a field that sets the {} of particles has no "
+                              "counterpart; domain.body_force accelerates them, "
+                              "and Python can move them (docs/python.md)",
+                              in_one_line(field.text("particleField", "velocity"))));
+}
+
+/// The notes as comments: what is taken instead, what is missing, and the keys of the window.
+std::string comments_of(const std::string& file, const std::vector<ImportNote>& notes) {
+  std::string text = "# Converted from " + in_one_line(file) + " of SPlisHSPlasH.\n", shown;
+  for (const ImportNote& note : notes)
+    if (note.kind == ImportNote::Kind::display) shown += (shown.empty() ? "" : ", ") + note.key;
+    else text += "# " + in_one_line(note.key + ": " + note.message) + "\n";
+  if (!shown.empty()) text += "# Only for its window and its files: " + in_one_line(shown) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string SplishWorld::file_in_toml(const std::string& file) const {
+  if (fs::path(file).is_absolute()) return file;
+  const fs::path target = fs::absolute(from / file).lexically_normal();
+  const fs::path relative = target.lexically_relative(fs::absolute(to).lexically_normal());
+  return (relative.empty() ? target : relative).generic_string();
+}
+
+Placement read_splish_placement(JsonObject& object) {
+  Placement place;
+  place.translation = object.point("translation", {});
+  place.scale = object.point("scale", {1, 1, 1});
+  place.axis = object.point("rotationAxis", {0, 0, 1});
+  place.angle = object.number("rotationAngle", 0);
+  return place;
+}
+
+ImportedScene import_splishsplash(const std::string& json, const fs::path& file,
+                                  const fs::path& folder) {
+  const nlohmann::json parsed = parse_json(json, file.string());
+  ImportFindings findings(json, file.string());
+  JsonObject scene(&parsed, "", findings);
+  SplishWorld world;
+  world.from = file.parent_path();
+  world.to = folder;
+  const SplishSettings settings = read_splish_settings(scene.object("Configuration"), world);
+  const std::vector<std::string> ids = used_ids(scene);
+  world.has_fluid = !scene.list("FluidBlocks").empty() || !scene.list("FluidModels").empty();
+  const SplishMaterials materials = read_splish_materials(scene.list("Materials"), ids, world);
+  const std::string bodies = read_splish_bodies(scene, materials.sticks, world);
+  const std::string fluids =
+      read_splish_fluids(scene.list("FluidBlocks"), scene.list("FluidModels"), materials, world);
+  const std::string inlets = read_splish_emitters(scene.list("Emitters"), materials, world);
+  read_fields(scene);
+  scene.finish();
+  findings.throw_errors();
+
+  TomlTable title, walls, solver = settings.solver;
+  title.set("title", file.stem().string());
+  if (!world.tank) walls.set("method", "open");
+  else if (!materials.sticks) walls.set("slip", "free_slip");
+  if (settings.method != 0) solver.set("xsph", materials.xsph);
+  solver.add(materials.solver);
+  ImportedScene result;
+  result.notes = std::move(findings.notes);
+  result.toml = comments_of(file.filename().string(), result.notes) + "\n";
+  result.toml += title.lines() + domain_of(world, settings.gravity).table("domain") +
+                 settings.particles.table("particles") + fluids + bodies + inlets +
+                 solver.table("solver") + materials.air.table("air") + walls.table("walls") +
+                 settings.time.table("time") + settings.output.table("output") +
+                 materials.picture.table("picture") + settings.camera.table("camera");
+  return result;
+}
+
+ImportedScene import_splishsplash(const fs::path& file, const fs::path& folder) {
+  constexpr InputFile rules{.noun = "scene file",
+                            .remedy = "name a scene file (*.json)",
+                            .may_be_empty = true,
+                            .largest = 16u << 20};
+  return import_splishsplash(read_input(file, rules), file, folder);
+}
+
+}  // namespace freshet
