@@ -218,10 +218,13 @@ std::string write_body(SplishBody& b, bool sticks, SplishWorld& world) {
   }
   for (const BodyPoint& p : mesh.points) world.extent.add(b.place(p));
   std::string tables;
-  for (TomlTable& table : shapes_of(b, mesh, solid, world)) {
+  std::vector<TomlTable> shapes = shapes_of(b, mesh, solid, world);
+  for (std::size_t part = 0; part < shapes.size(); ++part) {
+    TomlTable& table = shapes[part];
     if (b.inside) table.set("side", "inside");
     set_slip(sticks, table);
-    if (!b.stands()) table.set("name", b.name);
+    if (!b.stands())
+      table.set("name", shapes.size() == 1 ? b.name : fmt::format("{}_{}", b.name, part));
     const std::string keys = set_motion(b, world.duration, world, table);
     tables += table.item(b.dynamic || b.motor || b.animated ? "body" : "wall") + keys;
   }
