@@ -28,6 +28,7 @@ SplishBody read_body(JsonObject object, std::size_t k, const SplishWorld& world)
   SplishBody b{object, {}, {}, {}};
   JsonObject& o = b.object;
   b.place = read_splish_placement(o);
+  b.place.scale = o.point("scale", {1, 1, 1});
   b.file = o.text("geometryFile", "");
   b.id = o.integer("id", -1, -1000000000, 1000000000);
   b.name = fmt::format("body_{}", b.id >= 0 ? b.id : long(k));

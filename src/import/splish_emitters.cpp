@@ -108,7 +108,7 @@ std::string read_emitter(JsonObject& o, const SplishMaterials& materials, Splish
     world.extent.add(p - InletPoint{half, half, half});
     world.extent.add(p + InletPoint{half, half, half});
   }
-  o.display({"tag", "boundingBoxMin", "boundingBoxMax", "comment", "scale"});
+  o.display({"tag", "boundingBoxMin", "boundingBoxMax", "comment"});
   o.finish();
   return table.item("inlet");
 }

@@ -43,7 +43,9 @@ void note_dense_mode(JsonObject& fluid) {
 
 /// The particles of a block, which begin a spacing behind its lower corner.
 std::string read_block(JsonObject& block, const SplishMaterials& materials, SplishWorld& world) {
-  const Placement place = read_splish_placement(block);
+  Placement place;  // a block is not rotated
+  place.translation = block.point("translation", {});
+  place.scale = block.point("scale", {1, 1, 1});
   if (!block.has("start") || !block.has("end"))
     block.error("start", "and end are needed; set both corners of the block");
   const SplishPoint start = block.point("start", {}), end = block.point("end", {1, 1, 1});
@@ -110,6 +112,7 @@ Bounds bounds_of_model(const std::string& file, bool is_mesh, const Placement& p
 
 std::string read_model(JsonObject& model, const SplishMaterials& materials, SplishWorld& world) {
   Placement place = read_splish_placement(model);
+  place.scale = model.point("scale", {1, 1, 1});
   const std::string file = model.text("particleFile", ""), id = model.text("id", "Fluid");
   const bool is_mesh = is_mesh_file(file);
   note_dense_mode(model);

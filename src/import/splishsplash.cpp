@@ -78,7 +78,6 @@ std::string SplishWorld::file_in_toml(const std::string& file) const {
 Placement read_splish_placement(JsonObject& object) {
   Placement place;
   place.translation = object.point("translation", {});
-  place.scale = object.point("scale", {1, 1, 1});
   place.axis = object.point("rotationAxis", {0, 0, 1});
   place.angle = object.number("rotationAngle", 0);
   return place;

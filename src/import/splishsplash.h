@@ -79,7 +79,7 @@ std::string read_splish_bodies(JsonObject& scene, bool sticks, SplishWorld& worl
 std::string read_splish_emitters(std::vector<JsonObject> emitters, const SplishMaterials& materials,
                                  SplishWorld& world);
 
-/// The keys that place a model, a body or an emitter.
+/// The rotation and translation of a model, a body or an emitter.
 Placement read_splish_placement(JsonObject& object);
 
 }  // namespace freshet
