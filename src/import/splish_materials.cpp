@@ -41,7 +41,8 @@ struct SplishForces {
 /// The blocks of the methods that the material does not use.
 void skip_blocks(JsonObject& material, const std::vector<const char*>& names, int used) {
   for (std::size_t k = 1; k < names.size(); ++k)
-    if (int(k) != used) material.display({names[k]});
+    if (int(k) != used)
+      material.missing(names[k], "no effect in SPlisHSPlasH either: another method is chosen");
 }
 
 /// Kinematic viscosity [m²/s].
@@ -171,7 +172,8 @@ void read_elasticity(JsonObject& material) {
   if (method != 0)
     material.missing("elasticityMethod",
                      "elastic solids have no counterpart: the material flows as a liquid");
-  for (const char* block : elasticities) material.display({block});
+  for (const char* block : elasticities)
+    material.missing(block, "elastic solids have no counterpart");
 }
 
 void read_emission(JsonObject& material, SplishLiquid& liquid) {

@@ -72,7 +72,9 @@ void read_method(JsonObject& config, SplishSettings& s) {
     config.instead("simulationMethod",
                    "the compressible method ICSPH has no counterpart; taken instead: iisph");
   for (std::size_t k = 0; k < splish_methods.size(); ++k)
-    if (k != method) config.display({splish_methods[k]});
+    if (k != method)
+      config.missing(splish_methods[k],
+                     "no effect in SPlisHSPlasH either: another method is chosen");
   JsonObject block = config.object(splish_methods[method]);
   if (s.method == 0) read_wcsph(block, s.solver);
   else read_pressure_solver(block, s.method, s.solver);
@@ -150,7 +152,7 @@ void read_output(JsonObject& config, SplishSettings& s) {
   config.display({"pause", "numberOfStepsPerRenderUpdate", "renderWalls", "renderMaxVelocity",
                   "sceneScale", "enableZSort", "stepsPerZSort", "enableObjectSplitting",
                   "enableRigidBodyExport", "enableRigidBodyVTKExport", "particleAttributes",
-                  "stateExportFPS", "colorMapType", "enableDivergenceSolver"});
+                  "stateExportFPS", "colorMapType"});
 }
 
 void read_camera(JsonObject& config, SplishSettings& s, const SplishWorld& world) {
