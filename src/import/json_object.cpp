@@ -210,6 +210,10 @@ void JsonObject::instead(const std::string& key, const std::string& message) {
   findings_->note(ImportNote::Kind::instead, path(key), message);
 }
 
+void JsonObject::assumed(const std::string& key, const std::string& message) {
+  findings_->note(ImportNote::Kind::instead, has(key) ? path(key) : path_, message);
+}
+
 void JsonObject::missing(const std::string& key, const std::string& message) {
   if (!find(key)) return;
   findings_->note(ImportNote::Kind::missing, path(key), message);

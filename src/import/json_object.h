@@ -68,6 +68,8 @@ class JsonObject {
   void error(const std::string& key, const std::string& message);
   /// Notes about a key; nothing if it is not set.
   void instead(const std::string& key, const std::string& message);
+  /// Notes what stands for a key that may be missing.
+  void assumed(const std::string& key, const std::string& message);
   void missing(const std::string& key, const std::string& message);
   void display(const std::vector<std::string>& keys);
   /// Notes all keys that were neither read nor noted.

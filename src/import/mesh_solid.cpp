@@ -125,12 +125,12 @@ MeshSolid solid_of_mesh(const TriangleMesh& mesh, const Vec<3, double>& scale) {
   }
   if (fills_box(points, solid.bounds)) {
     solid.kind = MeshSolid::Kind::box;
+  } else if (const auto side = cylinder_radius(points, solid.bounds)) {
+    solid.kind = MeshSolid::Kind::cylinder;  // the rims alone would be on a sphere, too
+    solid.radius = *side;
   } else if (const auto r = sphere_radius(points, solid.bounds)) {
     solid.kind = MeshSolid::Kind::sphere;
     solid.radius = *r;
-  } else if (const auto side = cylinder_radius(points, solid.bounds)) {
-    solid.kind = MeshSolid::Kind::cylinder;
-    solid.radius = *side;
   }
   return solid;
 }

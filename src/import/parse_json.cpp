@@ -39,7 +39,8 @@ std::string reason_of(const std::string& message) {
   const std::string known = "syntax error ";
   if (reason.starts_with(known)) reason = reason.substr(known.size());
   for (std::size_t k = 0; k < reason.size(); ++k)  // it quotes bytes of the file
-    if (static_cast<unsigned char>(reason[k]) < ' ') reason[k] = ' ';
+    if (const auto c = static_cast<unsigned char>(reason[k]); c < ' ' || c >= 0x7f)
+      reason[k] = c < ' ' ? ' ' : '?';
   return reason;
 }
 

@@ -83,7 +83,7 @@ void set_times(JsonObject& o, const SplishEmitter& e, double speed, const Splish
     const double full = start + std::max(1.0, layers) * world.spacing() / speed;
     if (full < std::min(stop, world.duration)) {
       stop = full;
-      o.instead("emitEndTime", fmt::format("the emitter has {} particles (maxEmitterParticles), "
+      o.assumed("emitEndTime", fmt::format("the emitter has {} particles (maxEmitterParticles), "
                                            "which last until then; taken instead: {:.4g} s",
                                            liquid.max_particles, stop));
     }
