@@ -23,7 +23,7 @@ struct ValidateArguments {
   std::vector<std::string> cases, solvers;
   std::vector<double> resolutions;
   std::string report, output = "runs/validation";
-  int jobs = 1;
+  int jobs = 1, repeats = 0;
   bool all = false, short_form = false, resume = false, measure_only = false, json = false;
 };
 
@@ -77,7 +77,8 @@ void list() {
 }
 
 std::string name_of(const ValidationRun& r) {
-  return fmt::format("{} {} {:g} {}", r.case_name, r.solver, r.resolution, r.unit);
+  return fmt::format("{} {} {:g} {}{}", r.case_name, r.solver, r.resolution, r.unit,
+                     r.repeat ? fmt::format(", repeat {}", r.repeat) : "");
 }
 
 /// A line for each run, and one for each measure.
@@ -91,7 +92,8 @@ void tell(const ValidationRun& r, std::size_t done, std::size_t all) {
   if (!r.error.empty()) print_error("    {}\n", r.error);
   for (const ValidationResult& v : r.results)
     print_error(
-        "    {:<36} {:.4g}{}{}\n", v.name, v.value,
+        "    {:<36} {:.4g}{}{}{}\n", v.name, v.value,
+        v.repeats.empty() ? "" : fmt::format(", median of {}", range_of(v)),
         v.bound ? fmt::format(" ({} {:g})", v.at_least ? "at least" : "bound", *v.bound) : "",
         v.as_expected() ? v.passed ? "" : " missed, as expected"
         : v.passed      ? " met, though it was expected to be missed"
@@ -112,6 +114,7 @@ int validate_with(const ValidateArguments& a) {
   options.run = !a.measure_only;
   options.short_form = a.short_form;
   options.jobs = a.jobs;
+  if (a.repeats > 0) options.repeats = a.repeats;
   options.output = a.output;
   options.before_run = [](const ValidationRun& r) { print_error("running {} ...\n", name_of(r)); };
   options.after_run = tell;
@@ -151,6 +154,10 @@ void add_validate(Program& program) {
               "other values of particles.spacing [m], or of the key that the case varies")
       .repeatable()
       .positive();
+  command
+      .option("--repeats", a->repeats,
+              "runs of each, from starts that differ in the last digits; results are medians")
+      .at_least(1);
   a->keys.add_to(command, "a key of all scenes");
   command.flag("--short", a->short_form, "coarser, with fewer solvers: minutes for all");
   command.flag("--resume", a->resume,

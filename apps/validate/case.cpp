@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "core/input_file.h"
@@ -199,6 +200,11 @@ ValidationCase read_validation_case(const fs::path& folder) {
   check_solvers(in, root, c.solvers);
   if (c.solvers.empty()) in.fail(root, "solvers must list at least one solver");
   read_resolutions(c, in, root);
+  if (const auto repeats = in.number("repeats")) {
+    if (!(*repeats >= 1 && *repeats <= 99 && *repeats == std::floor(*repeats)))
+      in.fail(root, "repeats must be a whole number from 1 to 99");
+    c.repeats = int(*repeats);
+  }
   if (const toml::table* set = in.table("set"))
     for (const auto& [solver, keys] : *set) {
       if (!keys.is_table()) in.fail(keys, "write [set.all] or [set.SOLVER], with keys below it");

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "freshet/version.h"
+#include "validate/repeats.h"
 #include "validate/report_tables.h"
 #include "validate/validate.h"
 
@@ -68,13 +69,15 @@ void add_run(std::string& page, const std::vector<ValidationRun>& of_case, const
       "<th>order</th><th>why this bound</th></tr>\n";
   for (const ValidationResult& v : r.results)
     page += fmt::format(
-        "<tr><td>{}</td><td>{}</td><td class=\"{}\">{:.4g}</td><td>{}</td><td>{}</td><td>{}{}</td>"
+        "<tr><td>{}</td><td>{}</td><td "
+        "class=\"{}\">{:.4g}{}</td><td>{}</td><td>{}</td><td>{}{}</td>"
         "</tr>\n",
         escaped(v.name), v.measured ? fmt::format("{:.5g}", *v.measured) : "",
         !v.bound   ? ""
         : v.passed ? "good"
                    : "bad",
-        v.value, v.bound ? bound_of(v) : "none", order_from(of_case, r, v), escaped(v.reason),
+        v.value, v.repeats.empty() ? "" : fmt::format(" ({})", range_of(v)),
+        v.bound ? bound_of(v) : "none", order_from(of_case, r, v), escaped(v.reason),
         v.expected_miss.empty() ? "" : "; missed, as expected: " + escaped(v.expected_miss));
   page += "</table>\n<div class=\"plots\">\n";
   for (const ValidationResult& v : r.results)
@@ -115,6 +118,7 @@ std::string validation_json(const std::vector<ValidationRun>& runs) {
     for (const ValidationResult& v : r.results) {
       nlohmann::ordered_json m{{"name", v.name}, {"value", v.value}, {"passed", v.passed}};
       if (v.measured) m["measured"] = *v.measured;
+      if (!v.repeats.empty()) m["repeats"] = v.repeats;
       if (v.bound) m[v.at_least ? "least" : "bound"] = *v.bound;
       if (!v.expected_miss.empty()) m["expected_miss"] = v.expected_miss;
       run["measures"].push_back(std::move(m));

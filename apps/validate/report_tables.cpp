@@ -8,6 +8,7 @@
 
 #include "freshet/version.h"
 #include "scene/keys/keys.h"
+#include "validate/repeats.h"
 
 namespace freshet {
 namespace {
@@ -31,7 +32,10 @@ std::string bounds_met(const std::vector<ValidationRun>& of_case, const std::str
 
 ReportCell cell_of(const ValidationRun& r, const std::string& measure) {
   for (const ValidationResult& v : r.results)
-    if (v.name == measure) return {"", fmt::format("{:.3g}", v.value), "", !v.passed};
+    if (v.name == measure) {
+      const std::string range = v.repeats.empty() ? "" : fmt::format(" ({})", range_of(v));
+      return {"", fmt::format("{:.3g}{}", v.value, range), "", !v.passed};
+    }
   return {"", r.error.empty() ? "" : "failed", "", false};
 }
 

@@ -19,6 +19,7 @@
 #include "freshet/run.h"
 #include "scene/model/inputs.h"
 #include "validate/measure.h"
+#include "validate/repeats.h"
 
 namespace freshet {
 namespace {
@@ -108,7 +109,8 @@ void tell_costs(ValidationRun& r, const fs::path& folder) {
 }
 
 fs::path folder_of(const ValidationRun& r, const ValidateOptions& options) {
-  return options.output / fmt::format("{}_{}_{:g}", r.case_name, r.solver, r.resolution);
+  return options.output / fmt::format("{}_{}_{:g}{}", r.case_name, r.solver, r.resolution,
+                                      r.repeat ? fmt::format("_{}", r.repeat) : "");
 }
 
 /// What the short form of a case is, where it is asked for.
@@ -118,7 +120,7 @@ std::optional<ValidationCase::Short> short_form_of(const ValidationCase& c,
 }
 
 /// None, if it may not be run and has not been.
-std::optional<ValidationRun> run_of(const CaseSeries& s, double resolution,
+std::optional<ValidationRun> run_of(const CaseSeries& s, double resolution, int repeat,
                                     const ValidateOptions& options) {
   const ValidationCase& c = *s.the_case;
   ValidationRun r;
@@ -127,6 +129,7 @@ std::optional<ValidationRun> run_of(const CaseSeries& s, double resolution,
   r.resolution = resolution;
   r.varies = c.varies();
   r.unit = c.unit;
+  r.repeat = repeat;
   r.expected_failure = expected_miss(c, r, "");
   if (options.run && options.before_run) options.before_run(r);
   try {
@@ -134,7 +137,11 @@ std::optional<ValidationRun> run_of(const CaseSeries& s, double resolution,
     if (const auto shorter = short_form_of(c, options); shorter && shorter->end)
       overrides.emplace_back("time.end", fmt::format("{}", *shorter->end));
     overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
-    const Scene scene = load_scene(c.scene, overrides);
+    Scene scene = load_scene(c.scene, overrides);
+    if (const auto start = changed_start(scene, repeat); !start.empty()) {
+      overrides.insert(overrides.end(), start.begin(), start.end());
+      scene = load_scene(c.scene, overrides);
+    }
     RunOptions run;
     run.output = folder_of(r, options);
     run.overwrite = true;
@@ -226,18 +233,32 @@ Table table_of(const ValidationCase& c, const std::vector<ValidationRun>& runs) 
   return table;
 }
 
-std::vector<ValidationRun> run_series(const CaseSeries& s, const ValidateOptions& options) {
+/// The runs of one repeat, with what is measured of each alone.
+std::vector<ValidationRun> run_repeat(const CaseSeries& s, int repeat,
+                                      const ValidateOptions& options) {
   std::vector<ValidationRun> runs;
   for (const double resolution : s.resolutions)
-    if (auto r = run_of(s, resolution, options)) runs.push_back(std::move(*r));
+    if (auto r = run_of(s, resolution, repeat, options)) runs.push_back(std::move(*r));
   if (runs.empty()) return runs;
   const fs::path finest = folder_of(runs.back(), options);
   for (ValidationRun& r : runs)
     if (r.error.empty()) measure_run(*s.the_case, r, options, finest);
+  return runs;
+}
+
+std::vector<ValidationRun> run_series(const CaseSeries& s, const ValidateOptions& options) {
+  std::vector<std::vector<ValidationRun>> repeats;  // by resolution
+  for (int k = 0; k < options.repeats.value_or(s.the_case->repeats); ++k) {
+    auto runs = run_repeat(s, k, options);
+    repeats.resize(std::max(repeats.size(), runs.size()));
+    for (std::size_t r = 0; r < runs.size(); ++r) repeats[r].push_back(std::move(runs[r]));
+  }
+  std::vector<ValidationRun> runs;
+  for (auto& of_resolution : repeats) runs.push_back(median_of(std::move(of_resolution)));
   if (runs.size() > 1) {
     add_orders(*s.the_case, runs[0], runs[1]);
     const Table all = table_of(*s.the_case, runs);
-    measure_run(*s.the_case, runs.back(), options, finest, &all);
+    measure_run(*s.the_case, runs.back(), options, folder_of(runs.back(), options), &all);
   }
   return runs;
 }

@@ -51,6 +51,8 @@ struct ValidationCase {
   std::string varied = "particles.spacing";  ///< the scene key that takes the resolutions
   std::string unit = "m";                    ///< unit of the resolutions
   std::vector<double> resolutions;           ///< in descending order
+  /// Runs per resolution, from starts that differ in the last digits. A result is their median.
+  int repeats = 1;
   std::vector<ValidationMiss> misses;
   /// Overrides by solver; "" is for all solvers. A value "3 spacings" is multiplied by the run's
   /// spacing.
@@ -74,6 +76,7 @@ struct ValidationResult {
   double value = 0;                ///< a difference, or the value itself
   std::optional<double> measured;  ///< the value of a statistic before the comparison
   std::optional<double> bound;
+  std::vector<double> repeats;  ///< values of all repeats, ascending; empty for a single run
   bool passed = false;
   std::string reason;
   std::string plot;           ///< SVG; empty for an order
@@ -87,6 +90,7 @@ struct ValidationRun {
   std::string case_name, solver;
   double resolution = 0;
   std::string varies = "spacing", unit = "m";  ///< name and unit of the resolution
+  int repeat = 0;                              ///< 0 for the run without a changed start
   std::int64_t particles = 0, steps = 0;
   double seconds = 0;
   std::string commit;            ///< of the sources that computed the run
@@ -99,6 +103,9 @@ struct ValidationRun {
   bool as_expected() const;
 };
 
+/// The values of all repeats, "0.31 to 0.44"; empty for a single run.
+std::string range_of(const ValidationResult& result);
+
 /// "564 of 823 bounds are met (69 %). 373 of 373 runs meet or miss each bound as their case
 /// expects."
 std::string validation_summary(const std::vector<ValidationRun>& runs);
@@ -108,6 +115,7 @@ struct ValidateOptions {
   std::vector<std::string> solvers;  ///< selects among the case's solvers; empty: all
   std::vector<Override> overrides;   ///< of each run's scene; they override the case's own
   std::vector<double> resolutions;   ///< replace the case's; empty: the case's
+  std::optional<int> repeats;        ///< replaces the cases' repeats
   bool short_form = false;
   bool resume = false;           ///< reuse runs of the same scene in `output`
   bool run = true;               ///< false: measure the runs in `output` and run nothing

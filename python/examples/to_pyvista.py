@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Hands a frame over to PyVista, or to VTK alone if PyVista is missing.
 
-The arrays of the frame become those of the point cloud. usage: to_pyvista.py [PICTURE.png]
+The arrays of the frame are copied into the point cloud. usage: to_pyvista.py [PICTURE.png]
 """
 
 import sys
@@ -17,7 +17,7 @@ def points_of(frame):
 
 
 def vtk_cloud(frame):
-    """A vtkPolyData with a vertex and the fields of each particle."""
+    """A vtkPolyData with a vertex, the density [kg/m³] and the pressure [Pa] of each particle."""
     from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
     from vtkmodules.vtkCommonCore import vtkPoints
     from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData

@@ -14,6 +14,19 @@
 All numbers are in SI units. A 2D scene is a slice one metre deep. docs/python.md is the manual.
 """
 
+try:
+    from . import _freshet
+except ImportError as error:
+    import sys
+    from pathlib import Path
+
+    built = ", ".join(file.name for file in Path(__file__).parent.glob("_freshet*.so")) or "none"
+    raise ImportError(
+        f"{sys.executable} (Python {sys.version_info[0]}.{sys.version_info[1]}) cannot load the module "
+        f"_freshet: {error}; in this package: {built}. Use the Python that it was built for, with NumPy, "
+        "or configure the build with -DPython_EXECUTABLE"
+    ) from error
+
 from ._freshet import (
     BodyState,
     CheckedScene,
@@ -33,6 +46,7 @@ from ._freshet import (
 from ._freshet import version as __version__
 from .errors import Diagnostic, Error
 from .plots import draw_frame
+from .reprs import add_reprs as _add_reprs
 from .runs import Run, open_run, run
 from .scene_classes import (
     Air,
@@ -63,3 +77,5 @@ from .simulation import Probe, Simulation
 from .sweeps import sweep
 from .tables import Table, read_table
 from .toml_text import to_toml
+
+_add_reprs()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is wrong, where, and what to do."""
+"""The exception of the package, with places, keys and remedies."""
 
 from __future__ import annotations
 
@@ -31,11 +31,13 @@ class Diagnostic:
 
     @property
     def line(self) -> Optional[int]:
+        """The line, from 1 on."""
         match = _PLACE.match(self.place)
         return int(match["line"]) if match else None
 
     @property
     def column(self) -> Optional[int]:
+        """The column, from 1 on."""
         match = _PLACE.match(self.place)
         return int(match["column"]) if match and match["column"] else None
 
@@ -58,7 +60,9 @@ class Diagnostic:
 
 
 class Error(Exception):
-    """The error of every function of Freshet.
+    """Raised for invalid scenes and requests, and for failed runs.
+
+    Arguments of a wrong type or shape raise TypeError or ValueError, as in NumPy.
 
     `diagnostics` holds all errors of a scene at once. `file`, `line`, `column`, `key`, `message` and
     `remedy` are those of the first. `kind` is "scene" if the scene or the request is invalid, and

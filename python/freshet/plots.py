@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import io
+from itertools import cycle
 from typing import TYPE_CHECKING, Any, Dict, List, Sequence, Tuple
 
 import numpy as np
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     from .runs import Run
 
 COLORS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#8c8c8c"]
-"""That colour-blind readers can distinguish [Okabe, Ito 2008]."""
+"""Colours that colour-blind readers can distinguish [Okabe, Ito 2008]."""
 STYLES = ["-", "--", ":", "-."]
 SETTINGS = {
     "font.family": "DejaVu Sans",
@@ -74,7 +75,7 @@ def _panels(run: "Run", names: Sequence[str]) -> Dict[Tuple[str, str], List[str]
 
 
 def plot_runs(runs: Sequence["Run"], names: Sequence[str], figure: Any = None) -> Any:
-    """Columns of runs over time; other runs have other line styles."""
+    """Draws columns of runs over time. Each run has a line style, each column a colour."""
     panels = _panels(runs[0], names)
     tables = [run.columns() for run in runs]
     with _style():
@@ -90,8 +91,8 @@ def plot_runs(runs: Sequence["Run"], names: Sequence[str], figure: Any = None) -
 
 
 def _draw_panel(panel: Any, keys: Sequence[str], tables: Sequence[Any], runs: Sequence["Run"]) -> None:
-    for style, table, run in zip(STYLES, tables, runs):
-        for color, key in zip(COLORS, keys):
+    for style, table, run in zip(cycle(STYLES), tables, runs):
+        for color, key in zip(cycle(COLORS), keys):
             if key in table:
                 values = table[key][key.split(": ")[-1]]
                 label = key if len(runs) == 1 else f"{key} ({run.path.name})"
@@ -102,10 +103,10 @@ def _draw_panel(panel: Any, keys: Sequence[str], tables: Sequence[Any], runs: Se
 
 
 def draw_frame(frame: Frame, scene: CheckedScene, color_by: str = "speed", axes: Any = None) -> Any:
-    """The particles of a frame, in 3D seen along z; into `axes`, or into a new figure.
+    """Draws the particles of a frame into `axes`, or into a new figure. 3D is seen along z.
 
-    `color_by` is "speed", "density", "pressure", "x", "y", "height", "id" or "liquid". Returns the
-    matplotlib.figure.Figure.
+    `color_by` is "speed", "density", "pressure", "x", "y", "height" (y), "id" or "liquid"; other
+    names raise ValueError. Returns the matplotlib.figure.Figure.
     """
     low, high = scene.domain
     size = high[:2] - low[:2]
@@ -125,7 +126,14 @@ def draw_frame(frame: Frame, scene: CheckedScene, color_by: str = "speed", axes:
     return axes.figure
 
 
-LABELS = {"speed": "speed [m/s]", "density": "density [kg/m³]", "pressure": "pressure [Pa]"}
+LABELS = {
+    "speed": "speed [m/s]",
+    "density": "density [kg/m³]",
+    "pressure": "pressure [Pa]",
+    "x": "x [m]",
+    "y": "y [m]",
+    "height": "height [m]",
+}
 
 
 def _area(axes: Any, spacing: float, size: np.ndarray) -> float:
@@ -136,11 +144,13 @@ def _area(axes: Any, spacing: float, size: np.ndarray) -> float:
 
 
 def values_of(frame: Frame, color_by: str) -> np.ndarray:
-    """What a colour shows: "speed", "density", "pressure", "x", "y", "height" or "id"."""
+    """The quantity that colours show (n,), by its name."""
     if color_by == "speed":
         return np.linalg.norm(frame.v, axis=1)
     if color_by in ("x", "y", "height"):
         return frame.x[:, 0 if color_by == "x" else 1]
+    if color_by == "liquid" and not len(frame.liquid):
+        return np.zeros(len(frame))  # a scene with one liquid has no indices
     if color_by in ("density", "pressure", "id", "liquid"):
         return getattr(frame, color_by)
     known = "speed, density, pressure, x, y, height, id, liquid"

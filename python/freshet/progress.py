@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Progress bars: tqdm's if it is installed, else a line on a terminal."""
+"""Progress bars by tqdm if it is installed, else a line on a terminal."""
 
 from __future__ import annotations
 
+import math
 import sys
 from contextlib import contextmanager
 from typing import Callable, Iterator
@@ -10,7 +11,7 @@ from typing import Callable, Iterator
 
 @contextmanager
 def progress_bar(wanted: bool, total: float, unit: str) -> Iterator[Callable[[float], None]]:
-    """Yields a function that is called with the progress so far, out of `total`."""
+    """Yields a function that takes the progress so far. `total` may be infinite."""
     if not wanted:
         yield lambda done: None
         return
@@ -21,6 +22,8 @@ def progress_bar(wanted: bool, total: float, unit: str) -> Iterator[Callable[[fl
             yield show
         return
     form = "{percentage:3.0f} %|{bar}| {n:.3g}/{total:.3g} {unit} [{elapsed}<{remaining}]"
+    if math.isinf(total):
+        form = "{n:.3g} {unit} [{elapsed}]"
     with tqdm(total=total, unit=unit, bar_format=form) as bar:
 
         def show(done: float) -> None:

@@ -35,8 +35,10 @@ def run(
 ) -> "Run":
     """Runs a scene into a folder, as `freshet run` does, and opens it.
 
-    A folder that holds a run is an error unless `overwrite`. `video` is a *.mp4, *.gif or *.webp of
-    `fps` pictures per second, at `speed` simulated seconds per second. Ctrl-C ends the run with
+    `set` replaces keys of the scene, as in freshet.check; `threads` and `isa` are those of
+    freshet.Simulation. A folder that holds a run raises freshet.Error unless `overwrite`. `video` is
+    a *.mp4, *.gif or *.webp of `fps` pictures per second, at `speed` simulated seconds per second.
+    `progress` shows a bar. Ctrl-C ends the run with
     complete files, which `freshet resume` continues, and raises KeyboardInterrupt.
     """
     checked = check(scene, set)
@@ -49,12 +51,15 @@ def run(
 
 
 def open_run(folder: PathLike) -> "Run":
-    """Opens the folder of a run, which may still be in progress."""
+    """Opens the folder of a run, which may still be in progress.
+
+    Raises freshet.Error if the folder does not exist or holds no run.
+    """
     return Run(folder)
 
 
 class Frames(Sequence[Frame]):
-    """The frames of a run's data files, which are read when they are asked for."""
+    """The frames of a run's data files. frames[k] reads file k."""
 
     def __init__(self, files: _freshet.RunFrames) -> None:
         self._files = files
@@ -90,6 +95,8 @@ class Run:
         """The folder."""
         if not (self.path / "scene.toml").is_file():
             message = "no run is in this folder (it has no scene.toml); name the folder of a run"
+            if not self.path.exists():
+                message = "no such folder; check the path"
             raise Error("scene", [("error", str(self.path), message)])
 
     @cached_property
@@ -99,9 +106,15 @@ class Run:
 
     @property
     def report(self) -> Dict[str, Any]:
-        """report.json: state, statistics, checks, warnings, digests. The run must have ended."""
-        with open(self.path / "report.json", encoding="utf-8") as file:
-            return json.load(file)
+        """report.json: state, statistics, checks, warnings, digests.
+
+        Raises freshet.Error before the run has ended.
+        """
+        file = self.path / "report.json"
+        if not file.is_file():
+            message = "no such file; a run writes it at its end"
+            raise Error("scene", [("error", str(file), message)])
+        return json.loads(file.read_text(encoding="utf-8"))
 
     @property
     def frames(self) -> Frames:
@@ -142,8 +155,10 @@ class Run:
         found: Dict[str, Table] = {}
         for owner, table in tables.items():
             times = table["time"] if "time" in table else np.empty(0)
+            if len(np.unique(times)) < len(times):
+                continue  # several places at one time
             for name in table:
-                if name not in ("time", "step") and table[name].dtype.kind == "f" and len(np.unique(times)) == len(times):
+                if name not in ("time", "step") and table[name].dtype.kind == "f":
                     found[owner + name] = table
         return found
 

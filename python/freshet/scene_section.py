@@ -25,12 +25,12 @@ class Section:
 
 
 def _members(section: Any) -> Dict[str, Any]:
-    """By key: `from_` is the key `from`, which is a word of Python."""
+    """Values by key: `from_` is the key `from`, which is a keyword of Python."""
     return {f.name.rstrip("_"): getattr(section, f.name) for f in dataclasses.fields(section)}
 
 
 def plain(value: Any) -> Any:
-    """A value without sections: dicts and lists of numbers, texts and Booleans."""
+    """A value without sections: dicts and lists of numbers, strings and Booleans."""
     if isinstance(value, Section):
         return value.to_dict()
     if isinstance(value, dict):

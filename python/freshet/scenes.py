@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import difflib
 import os
 from pathlib import Path
 from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
@@ -30,13 +31,16 @@ def check(scene: SceneLike, set: Optional[Mapping[str, Any]] = None) -> CheckedS
     """Parses and checks a scene.
 
     `set` replaces keys: {"particles.spacing": 0.01, "fluid[1].viscosity": 2}; None removes one.
-    Raises freshet.Error with all errors at once. warnings_of() lists what is allowed but doubtful.
+    Raises freshet.Error with all errors at once. warnings_of() lists the warnings of a valid scene.
+    Relative files of a dict are relative to the working folder.
     """
     changes = overrides(set)
     if isinstance(scene, CheckedScene):
         return _freshet.parse_scene(scene.source, MEMORY, changes) if changes else scene
     if isinstance(scene, (Section, Mapping)):
         return _freshet.parse_scene(to_toml(scene), MEMORY, changes)
+    if not isinstance(scene, (str, os.PathLike)):
+        raise TypeError(f"a scene is a file, a bundled name, a dict or a freshet.Scene, not {scene!r}")
     return _freshet.load_scene(find(scene), changes)
 
 
@@ -58,23 +62,29 @@ def find(scene: Union[str, "os.PathLike[str]"]) -> Path:
     bundled = bundled_scenes()
     if str(scene) in bundled:
         return bundled[str(scene)]
-    known = ", ".join(bundled) or "none are installed"
-    message = f"no such file, and no bundled scene of that name; bundled: {known}"
+    close = difflib.get_close_matches(str(scene), bundled, 1)
+    known = f"did you mean {close[0]}? bundled: {', '.join(bundled)}" if close else f"bundled: {', '.join(bundled)}"
+    message = f"no such file, and no bundled scene of that name; {known}"
     raise Error("scene", [("error", str(scene), message)])
 
 
 def bundled_scenes() -> Dict[str, Path]:
     """The scenes that Freshet is installed with, by name."""
-    folder = data_folder("scenes")
-    return {file.stem: file for file in sorted(folder.glob("*.toml"))} if folder else {}
+    return {file.stem: file for file in sorted(data_folder("scenes").glob("*.toml"))}
 
 
-def data_folder(name: str) -> Optional[Path]:
-    """`scenes` or `validation`: of the package, of an installed Freshet, or of the sources."""
+def data_folder(name: str) -> Path:
+    """The folder `scenes` or `validation` of the package, of an installed Freshet, or of the sources.
+
+    Raises freshet.Error if none of them has it.
+    """
     package = Path(__file__).resolve().parent
     candidates = [package / "share" / name]
     for above in package.parents:
         candidates += [above / "share" / "freshet" / name]
         if (above / "CMakePresets.json").exists():
             candidates.append(above / name)
-    return next((folder for folder in candidates if folder.is_dir()), None)
+    for folder in candidates:
+        if folder.is_dir():
+            return folder
+    raise Error("scene", [("error", name, "no such folder is installed; name a file by its path")])

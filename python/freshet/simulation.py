@@ -4,16 +4,22 @@
 from __future__ import annotations
 
 import math
+import sys
 from dataclasses import dataclass
 from numbers import Integral
 from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _freshet, plots
 from .errors import Error
 from .progress import progress_bar
 from .scenes import SceneLike, check, overrides
+
+
+_LATEST = sys.float_info.max
+"""In place of an infinite time, from which no tolerance can be subtracted."""
 
 
 @dataclass(frozen=True)
@@ -39,7 +45,10 @@ class Simulation(_freshet.SimulationBase):
     >>> sim.x.max(axis=0)
 
     `scene` is a file, the name of a bundled scene, a dict, a freshet.Scene or a checked scene;
-    `set` replaces keys of it. `threads` and `isa` do not change the bits of results.
+    `set` replaces keys of it, as in freshet.check. `threads` is the number of threads; 0 uses all
+    processors, but at most one for every 2048 particles. `isa` is an instruction set: "avx512",
+    "avx2", "sse42" or "plain"; "" uses the best. Neither changes the bits of results. Invalid scenes
+    raise freshet.Error.
 
     The arrays x, v, density, pressure, id and liquid show the memory of the simulation without a
     copy. They are read-only, and an array never changes: when the simulation moves on, an array that
@@ -65,22 +74,26 @@ class Simulation(_freshet.SimulationBase):
         callback: Optional[Callable[["Simulation"], Any]] = None,
         progress: bool = False,
     ) -> "Simulation":
-        """Steps until a time [s]; by default to time.end.
+        """Steps until a time [s]; by default to time.end. An infinite time leaves the end to `callback`.
 
         `callback(sim)` is called at the start, at the end and between: after every `every` steps if
         that is an int, after the first step at or beyond each multiple of `every` seconds if it is a
         float, else after every step. The run ends early if it returns False. `progress` shows a bar,
-        by tqdm if that is installed.
+        by tqdm if that is installed. Returns the simulation.
+
+        Raises freshet.Error if a step fails, and KeyboardInterrupt after Ctrl-C.
         """
         until = self.scene.end if until is None else float(until)
+        if math.isnan(until):
+            raise ValueError("until is NaN; it must be a time [s]")
         if every is not None and not (every > 0 and math.isfinite(every)):
             raise ValueError(f"every is {every}; it must be a positive number of steps or seconds")
         call = callback or (lambda sim: None)
         with progress_bar(progress, until, "s") as show:
-            going = call(self) is not False
+            going = _continues(call(self))
             while going and not self._reached(until):
                 self._advance(until, every if callback else math.inf, show)
-                going = call(self) is not False
+                going = _continues(call(self))
         return self
 
     def _reached(self, time: float) -> bool:
@@ -94,13 +107,14 @@ class Simulation(_freshet.SimulationBase):
         if every is not None and not by_steps and every < math.inf:
             time = min(until, (math.floor(self.time / every + 1e-9) + 1) * every)
         while steps > 0 and not self._reached(time):
-            steps -= self._step_until(time, steps, 0.1)
+            steps -= self._step_until(min(time, _LATEST), steps, 0.1)
             show(self.time)
 
     def change(self, set: Mapping[str, Any]) -> None:
         """Changes keys of the scene and keeps the state: gravity, viscosities, inlet speeds, ...
 
-        freshet.may_change_while_running(key) names the keys. The next steps have the bits of a
+        freshet.may_change_while_running(key) returns whether a key may change; others raise
+        freshet.Error. The next steps have the bits of a
         simulation of the changed scene that resumes from this state.
         """
         self._change(overrides(set))
@@ -118,14 +132,30 @@ class Simulation(_freshet.SimulationBase):
         if is_set:
             self.change({"domain.body_force": None})
 
+    def remove_particles(self, ids: npt.ArrayLike) -> None:
+        """Removes the particles with these ids (k,).
+
+        >>> sim.remove_particles(sim.id[sim.x[:, 0] > 1.0])
+
+        Raises freshet.Error if an id is unknown or occurs twice, and TypeError for a mask.
+        """
+        numbers = np.asarray(ids)
+        if numbers.size and numbers.dtype.kind not in "iu":
+            raise TypeError(f"ids are integers, not {numbers.dtype}; for a mask use sim.id[mask]")
+        super().remove_particles(numbers)
+
     def push_body(
         self,
         body: Union[int, str],
         force: Sequence[float],
         torque: Union[float, Sequence[float]] = 0.0,
     ) -> None:
-        """Pulls a free body until the next call: a force (D,) [N; N/m in 2D] and a torque about its
-        centre of mass (3,), in 2D a number about z [N m; N m/m in 2D], both added to gravity."""
+        """Pulls a free body until the next call, with a force and a torque beside gravity.
+
+        `body` is its name or its index, `force` has D components [N; N/m in 2D]. `torque` acts about
+        the centre of mass: three components, or a number about z [N m; N m/m in 2D]. Zeros end the
+        pull. Raises freshet.Error if the body is unknown or not free.
+        """
         turn = np.zeros(3)
         if np.ndim(torque) == 0:
             turn[2] = torque
@@ -146,7 +176,7 @@ class Simulation(_freshet.SimulationBase):
         raise Error("scene", [("error", "", f"no body is named {body!r}; bodies: {known}")])
 
     def probes(self) -> Dict[str, Probe]:
-        """The present readings of the scene's probes, by name."""
+        """The present readings of the scene's probes by name, as freshet.Probe."""
         return {name: _probe(name, *rest) for name, *rest in self._probes()}
 
     def draw(self, color_by: str = "speed", axes: Any = None) -> Any:
@@ -159,6 +189,11 @@ class Simulation(_freshet.SimulationBase):
             f"<freshet.Simulation {title!r}: {len(self)} particles, step {self.steps}, "
             f"{self.time:.6g} s>"
         )
+
+
+def _continues(answer: Any) -> bool:
+    """Whether run() continues after a callback: not after False, of Python or of NumPy."""
+    return not (isinstance(answer, (bool, np.bool_)) and not answer)
 
 
 def _probe(

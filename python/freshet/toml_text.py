@@ -23,7 +23,7 @@ def to_toml(scene: Any) -> str:
 
 
 def toml_value(value: Any) -> str:
-    """A value as TOML. Accepts numbers, texts, paths, Booleans, lists, dicts and NumPy arrays."""
+    """A value as TOML. Accepts numbers, strings, paths, Booleans, lists, dicts and NumPy arrays."""
     if isinstance(value, Section):
         value = value.to_dict()
     if isinstance(value, (bool, np.bool_)):
@@ -42,7 +42,7 @@ def toml_value(value: Any) -> str:
         keys = (f"{_key(k)} = {toml_value(v)}" for k, v in value.items() if v is not None)
         return "{ " + ", ".join(keys) + " }"
     raise TypeError(
-        f"{value!r} has no form in TOML; use numbers, texts, Booleans, lists, dicts or NumPy arrays"
+        f"{value!r} has no form in TOML; use numbers, strings, Booleans, lists, dicts or NumPy arrays"
     )
 
 

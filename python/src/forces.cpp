@@ -52,6 +52,9 @@ void call(const py::object& force, const ParticleView& view, double time, std::s
 }  // namespace
 
 void Sim::set_force(py::object function) {
+  if (!function.is_none() && !PyCallable_Check(function.ptr()))
+    throw py::type_error(py::str("a force must be a function of (fluid, time) or None; it is {!r}")
+                             .format(function));
   Access sim(*this);
   force = std::move(function);
   if (force.is_none()) return sim->set_force({});

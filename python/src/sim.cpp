@@ -4,6 +4,11 @@
 #include <chrono>
 
 namespace freshet::python {
+namespace {
+
+constexpr auto between_signals = std::chrono::milliseconds(50);
+
+}  // namespace
 
 Sim::Sim(Scene scene, const Execution& execution) {
   const py::gil_scoped_release release;
@@ -15,12 +20,16 @@ Sim::Access::Access(Sim& sim) : sim_(sim) {
     throw Error(Error::Kind::scene, "",
                 "the simulation is within a step; use the arguments of the force, or read the "
                 "simulation after the step");
-  if (!sim.mutex_.try_lock()) {
-    const py::gil_scoped_release release;  // the thread that holds the simulation may need it
-    sim.mutex_.lock();
-  }
+  while (!sim.try_lock())
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   sim.user_ = std::this_thread::get_id();
 }
+bool Sim::try_lock() {
+  if (mutex_.try_lock()) return true;
+  const py::gil_scoped_release release;  // the thread that holds the simulation may need it
+  return mutex_.try_lock_for(between_signals);
+}
+
 Sim::Access::~Access() {
   sim_.user_ = std::thread::id();
   sim_.mutex_.unlock();
@@ -72,7 +81,6 @@ void Sim::leave_arrays() {
 
 std::int64_t Sim::step_while(const std::function<bool(const Simulation&, std::int64_t)>& more) {
   using Clock = std::chrono::steady_clock;
-  constexpr auto between_signals = std::chrono::milliseconds(50);
   const Change sim(*this);
   const py::gil_scoped_release release;
   auto next = Clock::now() + between_signals;

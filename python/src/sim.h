@@ -22,8 +22,12 @@ enum class Field { id, x, v, density, pressure, liquid };
 class Sim {
  public:
   Sim(Scene scene, const Execution& execution);
+  ~Sim() { leave_arrays(); }
+  Sim(const Sim&) = delete;
+  Sim& operator=(const Sim&) = delete;
 
-  /// Holds the simulation for this thread. Throws Error if the thread is within a step.
+  /// Holds the simulation for this thread; Ctrl-C ends the wait for another one. Throws Error if
+  /// the thread is within a step.
   class Access {
    public:
     explicit Access(Sim& sim);
@@ -65,10 +69,11 @@ class Sim {
   };
   template <class T> py::array shared_array(Slot& slot, std::span<const T> numbers, int width);
   void leave_arrays();
+  bool try_lock();
 
   std::shared_ptr<Simulation> simulation_;
   std::array<Slot, 6> slots_;
-  std::mutex mutex_;
+  std::timed_mutex mutex_;
   std::atomic<std::thread::id> user_;
 };
 

@@ -37,6 +37,7 @@ void write(std::span<Real> to, const Numbers& from, int dimension, const char* w
 }
 
 std::int64_t step(Sim& sim, std::int64_t n) {
+  if (n < 0) throw py::value_error(py::str("n must be >= 0; it is {}").format(n));
   return sim.step_while([n](const Simulation&, std::int64_t steps) { return steps < n; });
 }
 
@@ -44,7 +45,7 @@ std::int64_t step(Sim& sim, std::int64_t n) {
 std::int64_t step_until(Sim& sim, double time, std::int64_t steps, double seconds) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
-  const double enough = time - 1e-9 * std::abs(time);
+  const double enough = std::isfinite(time) ? time - 1e-9 * std::abs(time) : time;
   return sim.step_while([=](const Simulation& s, std::int64_t done) {
     return s.time() < enough && done < steps && (done == 0 || Clock::now() < end);
   });
@@ -273,6 +274,9 @@ void bind_simulation(py::module_& m) {
         "The instruction set that a simulation selects on this machine.");
   Class c(m, "SimulationBase", collected());
   c.def(py::init([](Scene scene, int threads, const std::string& isa) {
+          if (threads < 0)
+            throw py::value_error(
+                py::str("threads must be >= 0, 0 for all cores; it is {}").format(threads));
           return std::make_unique<Sim>(std::move(scene), Execution{threads, isa});
         }),
         py::arg("scene"), py::arg("threads") = 0, py::arg("isa") = "");

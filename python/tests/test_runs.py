@@ -76,6 +76,9 @@ def test_plots(run, tmp_path):
     drawn = run.draw(-1, color_by="pressure")
     assert len(drawn.axes[0].collections[0].get_offsets()) == len(run.frames[-1])
     assert drawn._repr_png_().startswith(b"\x89PNG")
+    many = run.plot("speed max", against=[run] * 5)
+    assert len(many.axes[0].lines) == 6
+    assert len(run.draw(color_by="liquid").axes[0].collections[0].get_array()) == len(run.frames[-1])
     with pytest.raises(ValueError, match="color_by is 'taste'"):
         run.draw(color_by="taste")
 
@@ -87,10 +90,19 @@ def test_notebooks_show_the_result(run):
 def test_a_folder_without_a_run(tmp_path):
     with pytest.raises(freshet.Error, match="no run is in this folder"):
         freshet.open_run(tmp_path)
-    with pytest.raises(freshet.Error, match="holds a run|overwrite"):
-        scene = column(time={"end": 0.001, "step": 0.0005})
+    with pytest.raises(freshet.Error, match="nowhere: error: no such folder"):
+        freshet.open_run(tmp_path / "nowhere")
+
+
+def test_a_folder_is_not_replaced_unasked(tmp_path):
+    scene = column(time={"end": 0.001, "step": 0.0005})
+    first = freshet.run(scene, tmp_path / "twice")
+    with pytest.raises(freshet.Error, match="this folder holds a run; `overwrite` replaces it"):
         freshet.run(scene, tmp_path / "twice")
-        freshet.run(scene, tmp_path / "twice")
+    assert freshet.run(scene, tmp_path / "twice", overwrite=True).report["steps"] == 2
+    (first.path / "report.json").unlink()
+    with pytest.raises(freshet.Error, match="a run writes it at its end"):
+        first.report
 
 
 def front(simulation):
@@ -106,22 +118,55 @@ def test_a_sweep_in_this_process():
         processes=1,
     )
     assert table.rows == 4 and list(table)[-2:] == ["front", "time"]
+    assert table["domain.gravity"].shape == (4, 2) and "<td>[0.0, -1.0]</td>" in table._repr_html_()
     fronts = table["front"]
     assert fronts[0] > fronts[2] and fronts[0] > fronts[1]
     with pytest.raises(freshet.Error, match="set solver.artificial_viscosity"):
         freshet.sweep(column(), {"solver.artificial_viscosity": [0.1, -1.0]}, front, processes=1)
 
 
+SWEEP = f"""
+import freshet
+scene = {column()!r}
+def front(sim):
+    return {{"front": sim.x[:, 0].max()}}
+def main():
+    table = freshet.sweep(scene, {{"solver.artificial_viscosity": [0.05, 1.0]}}, front, until=0.1, processes=2)
+    print(table["front"].tolist())
+"""
+
+
+def test_errors_of_a_sweep():
+    def swept(parameters, measure=front, **keys):
+        return freshet.sweep(column(), parameters, measure, until=0.5, **{"processes": 1, **keys})
+
+    with pytest.raises(freshet.Error, match="time.step = 0.05: error: particle"):
+        swept({"time.step": [0.05]})
+    with pytest.raises(TypeError, match=r"parameters\['time.step'\] is 0.05; it must be a list"):
+        swept({"time.step": 0.05})
+    with pytest.raises(ValueError, match="is empty"):
+        swept({"time.step": []})
+    with pytest.raises(TypeError, match="measure returned 1; it must return a dict"):
+        swept({"time.step": [0.0005]}, lambda s: 1)
+    with pytest.raises(ValueError, match="other processes cannot import <function .*<lambda>"):
+        swept({"time.step": [0.0004, 0.0005]}, lambda s: {}, processes=2)
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [(["-c", SWEEP + "main()"], "other processes cannot import"), (["FILE"], "begin the work of a script below")],
+)
+def test_a_sweep_that_processes_cannot_import_ends(arguments, message, tmp_path):
+    script = tmp_path / "unguarded.py"
+    script.write_text(SWEEP + "main()\n")
+    command = [sys.executable, *(script if a == "FILE" else a for a in arguments)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    assert done.returncode != 0 and message in done.stderr
+
+
 def test_a_sweep_in_processes(tmp_path):
     script = tmp_path / "sweep.py"
-    script.write_text(
-        "import freshet, sys\n"
-        f"scene = {column()!r}\n"
-        "def front(sim):\n    return {'front': sim.x[:, 0].max()}\n"
-        "if __name__ == '__main__':\n"
-        "    table = freshet.sweep(scene, {'solver.artificial_viscosity': [0.05, 1.0]}, front, until=0.1, processes=2)\n"
-        "    print(table['front'].tolist())\n"
-    )
+    script.write_text(SWEEP + "if __name__ == '__main__':\n    main()\n")
     done = subprocess.run([sys.executable, script], check=True, capture_output=True, text=True)
     alone = freshet.sweep(column(), {"solver.artificial_viscosity": [0.05, 1.0]}, front, until=0.1, processes=1)
     assert done.stdout.strip() == str(alone["front"].tolist())

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Scenes from files, texts, dicts and objects, and their errors."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from small_scenes import column
@@ -34,7 +36,8 @@ def test_classes_know_their_keys():
     particles = freshet.Particles(spacing=0.1)
     with pytest.raises(AttributeError, match="Particles has no key spacin"):
         particles.spacin = 0.2
-    assert "distance of neighbours" in open(freshet.scene_classes.__file__, encoding="utf-8").read()
+    source = Path(freshet.scene_classes.__file__).read_text(encoding="utf-8")
+    assert "distance of neighbours" in source
     assert repr(particles) == "Particles(spacing=0.1)"
 
 
@@ -106,8 +109,15 @@ def test_toml_of_all_kinds_of_values():
 def test_bundled_scenes_are_found_by_name():
     assert "dam_break_2d" in freshet.bundled_scenes()
     assert freshet.check("dam_break_2d").dimension == 2
+    with pytest.raises(freshet.Error, match="did you mean dam_break_2d[?] bundled: article"):
+        freshet.check("dam_brake_2d")
     with pytest.raises(freshet.Error, match="no bundled scene of that name; bundled: article"):
-        freshet.check("dam_brake")
+        freshet.check("zzz")
+    with pytest.raises(TypeError, match="a scene is a file, .*, not None"):
+        freshet.check(None)
+    assert (freshet.data_folder("validation") / "dam_break_front").is_dir()
+    with pytest.raises(freshet.Error, match="no such folder is installed"):
+        freshet.data_folder("nothing")
 
 
 def test_warnings_of_a_valid_scene():

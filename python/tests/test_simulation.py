@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Stepping, state, interventions, checkpoints."""
 
+import gc
 import json
 import os
 import signal
 import subprocess
+import sys
 import threading
 import time
 
@@ -84,6 +86,44 @@ def test_ctrl_c_ends_steps_and_leaves_a_whole_state(call):
     assert again.state_sha256() == simulation.state_sha256()
 
 
+def test_ctrl_c_ends_the_wait_for_another_thread():
+    simulation, begun = sim(), threading.Event()
+
+    def stay(fluid, when):
+        begun.set()
+        time.sleep(3)
+        return np.zeros_like(fluid.x)
+
+    simulation.set_force(stay)
+    thread = threading.Thread(target=simulation.step)
+    thread.start()
+    begun.wait()
+    threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+    begin = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        simulation.statistics()
+    assert time.monotonic() - begin < 2.5
+    thread.join()
+
+
+def test_arguments_are_checked_at_once():
+    simulation = sim()
+    with pytest.raises(ValueError, match="n must be >= 0; it is -1"):
+        simulation.step(-1)
+    with pytest.raises(TypeError, match="a force must be a function"):
+        simulation.set_force(3)
+    with pytest.raises(ValueError, match="threads must be >= 0"):
+        freshet.Simulation("dam_break_2d", threads=-1)
+
+
+def test_an_array_outlives_its_simulation():
+    simulation = sim()
+    x, before = simulation.x, simulation.x.copy()
+    del simulation
+    gc.collect()
+    assert (x == before).all()
+
+
 def test_run_calls_back_at_times_and_steps():
     simulation = sim()
     times, steps = [], []
@@ -94,19 +134,30 @@ def test_run_calls_back_at_times_and_steps():
     assert simulation.run(until=1.0, every=1, callback=lambda s: s.steps < 215).steps == 215
     with pytest.raises(ValueError, match="every is 0"):
         simulation.run(every=0)
+    with pytest.raises(ValueError, match="until is NaN"):
+        simulation.run(until=float("nan"))
 
 
-def test_run_shows_progress(capsys):
+def test_a_false_of_numpy_ends_a_run():
+    simulation = sim()
+    simulation.run(until=0.5, every=1, callback=lambda s: s.x[:, 0].max() < 0.35)
+    assert 0.35 <= simulation.x[:, 0].max() < 0.36 and simulation.time < 0.3
+
+
+def test_run_shows_progress_by_tqdm(capsys):
+    pytest.importorskip("tqdm", reason="tqdm is not installed")
     sim().run(until=0.01, progress=True)
-    assert "100 %" in capsys.readouterr().err or not _has("tqdm")
+    assert "100 %" in capsys.readouterr().err
+    sim().run(until=float("inf"), every=20, callback=lambda s: s.steps < 20, progress=True)
+    assert "0.01 s" in capsys.readouterr().err
 
 
-def _has(module):
-    try:
-        __import__(module)
-    except ImportError:
-        return False
-    return True
+@pytest.mark.parametrize("terminal", [True, False])
+def test_run_shows_progress_on_a_terminal_without_tqdm(terminal, capsys, monkeypatch):
+    monkeypatch.setitem(sys.modules, "tqdm.auto", None)
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: terminal)
+    sim().run(until=0.01, progress=True)
+    assert ("100 %  0.01 of 0.01 s" in capsys.readouterr().err) == terminal
 
 
 def test_checkpoints_resume_to_the_same_bits(tmp_path):
@@ -194,6 +245,12 @@ def test_particles_are_added_and_removed():
     simulation.step(10)
     with pytest.raises(freshet.Error, match="ids belong to particles"):
         simulation.remove_particles([first])
+    with pytest.raises(TypeError, match=r"not bool; for a mask use sim.id\[mask\]"):
+        simulation.remove_particles(simulation.id < 2)
+    with pytest.raises(TypeError, match="not float64"):
+        simulation.remove_particles([1.7])
+    simulation.remove_particles([])
+    assert len(simulation) == n
     with pytest.raises(ValueError, match=r"x must have the shape \(n, 2\)"):
         simulation.add_particles([1.0, 2.0])
 
@@ -241,6 +298,16 @@ def test_a_failed_step_names_the_particle():
         simulation.step(100)
     assert caught.value.kind == "run"
     assert len(simulation.x) == len(simulation)
+
+
+def test_values_have_a_repr():
+    simulation = sim(floating(), set={"title": "A box"})
+    assert repr(simulation.scene) == "<freshet.CheckedScene 'A box': wcsph, 2D, spacing 0.04 m>"
+    assert repr(simulation.checkpoint()) == "Checkpoint(steps=0, time=0)"
+    assert "position=[0.5, 0.4, 0]" in repr(simulation.bodies()["box"])
+    values = (simulation.statistics(), simulation.time_steps, simulation.bounds(), simulation.moment())
+    for value in values:
+        assert repr(value).startswith(type(value).__name__ + "(") and " object at " not in repr(value)
 
 
 def test_help_reads_well():

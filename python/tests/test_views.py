@@ -12,7 +12,8 @@ FIELDS = ("x", "v", "density", "pressure", "id")
 
 def test_a_view_is_the_memory_of_the_simulation():
     simulation = sim()
-    assert simulation.x.ctypes.data == simulation.x.ctypes.data
+    first, second = simulation.x, simulation.x
+    assert first.ctypes.data == second.ctypes.data
     assert simulation.x.shape == (104, 2) and simulation.density.shape == (104,)
     assert simulation.x.dtype == np.float32 and simulation.id.dtype == np.uint64
     for field in FIELDS:

@@ -35,8 +35,8 @@ inline std::string_view trimmed(std::string_view text) {
 }
 
 #if defined(__EMSCRIPTEN__)
-/// Reads a floating-point number as std::from_chars does, which libc++ 14 lacks. Returns the end of
-/// the number, or `begin` if no number starts there. The locale must be "C", as in the page.
+/// Reads a number as std::from_chars does, which libc++ 14 lacks. Returns the end of the number, or
+/// `begin` if the text is not a number. The page keeps the locale "C", which strtod needs.
 inline const char* read_double(const char* begin, const char* end, double& value) {
   const std::string text(begin, end);  // with a zero at its end
   if (text.empty() || text[0] == '+' || std::isspace(static_cast<unsigned char>(text[0])) ||

@@ -23,6 +23,15 @@ Scene box_scene(int dimension) {
   return with_defaults(s);
 }
 
+Scene::Body moved_ball() {
+  Scene::Body ball;
+  ball.shape = Shape::sphere;
+  ball.center = {1.5, 0.5, 0.25};
+  ball.radius = 0.2;
+  ball.motion = BodyMotion::moved;
+  return ball;
+}
+
 /// Where a camera draws a point: -1 to 1 from the middle to the edges.
 Point drawn(const Camera& camera, double aspect, Point p) {
   const Matrix v = camera.view(), m = camera.projection(aspect);
@@ -141,12 +150,7 @@ TEST(ViewShapes, DomainWallsBodiesAndProbesHaveParts) {
   plane.point = {1, 0.5, 0.25};
   plane.normal = {0, 1, 0};
   s.wall.push_back(plane);
-  Scene::Body ball;
-  ball.shape = Shape::sphere;
-  ball.center = {1.5, 0.5, 0.25};
-  ball.radius = 0.2;
-  ball.motion = BodyMotion::moved;
-  s.body.push_back(ball);
+  s.body.push_back(moved_ball());
   Scene::Probe gauge;
   gauge.kind = ProbeKind::point;
   gauge.at = {1, 0.2, 0.2};
@@ -184,12 +188,7 @@ TEST(ViewShapes, WallOfPointsHasThePointsOfItsFile) {
 
 TEST(ViewStage, PackedNumbersAreTheSameStage) {
   Scene s = box_scene(3);
-  Scene::Body ball;
-  ball.shape = Shape::sphere;
-  ball.center = {1.5, 0.5, 0.25};
-  ball.radius = 0.2;
-  ball.motion = BodyMotion::moved;
-  s.body.push_back(ball);
+  s.body.push_back(moved_ball());
   const Stage stage = stage_of(with_defaults(s)), copy = unpacked(packed(stage));
   EXPECT_EQ(packed(copy), packed(stage));
   ASSERT_EQ(copy.parts.size(), 2u);
