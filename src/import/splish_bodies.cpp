@@ -20,6 +20,7 @@ struct SplishBody {
   long id = -1;
   bool dynamic = false, animated = false, wall = false, inside = false;
   JsonObject* motor = nullptr;  ///< turns it about an axis that stands
+  double motor_sign = 1;        ///< of the body's speed at a target speed above 0
 
   bool stands() const { return !dynamic && !motor && !animated; }
 };
@@ -120,7 +121,7 @@ std::vector<TomlTable> shapes_of(SplishBody& b, const TriangleMesh& mesh, const 
 }
 
 /// Key frames of a motor whose target speed is linear between the points of a sequence.
-std::string motor_keys(JsonObject& motor, double duration, TomlTable& body) {
+std::string motor_keys(JsonObject& motor, double sign, double duration, TomlTable& body) {
   const std::vector<double> sequence = motor.numbers("targetSequence");
   const bool repeats = motor.boolean("repeatSequence", false);
   const std::size_t n = sequence.size() / 2;
@@ -144,7 +145,7 @@ std::string motor_keys(JsonObject& motor, double duration, TomlTable& body) {
   const auto add = [&](double time) {
     TomlTable key;
     key.set("time", time);
-    key.set("angle", angle * 180 / std::numbers::pi);
+    key.set("angle", sign * angle * 180 / std::numbers::pi);
     keys += key.item("body.key");
   };
   add(0);
@@ -161,6 +162,10 @@ std::string motor_keys(JsonObject& motor, double duration, TomlTable& body) {
     }
     if (!repeats) break;
   }
+  if (!repeats && period < duration) {  // the last speed stays
+    angle += (duration - period) * sequence[2 * n - 1];
+    add(duration);
+  }
   body.set("interpolation", "linear");
   return keys;
 }
@@ -172,9 +177,9 @@ std::string set_motion(SplishBody& b, double duration, const SplishWorld& world,
     table.set("motion", "moved");
     if (!world.flat()) table.set("turn_axis", b.motor->point("axis", {0, 0, 1}), 3);
     table.set("pivot", b.motor->point("position", {}), world.dimension);
-    if (b.motor->has("targetSequence")) return motor_keys(*b.motor, duration, table);
-    table.set("angle",
-              fmt::format("{:.9g}*t", b.motor->number("target", 0) * 180 / std::numbers::pi));
+    if (b.motor->has("targetSequence")) return motor_keys(*b.motor, b.motor_sign, duration, table);
+    table.set("angle", fmt::format("{:.9g}*t", b.motor_sign * b.motor->number("target", 0) * 180 /
+                                                   std::numbers::pi));
   } else if (b.dynamic) {
     table.set("motion", "free");
     table.set("density", o.number("density", 1000, {.min = 0, .above = true}));
@@ -245,13 +250,18 @@ SplishBody* body_of_joint(std::vector<SplishBody>& bodies, JsonObject& joint, co
   return nullptr;
 }
 
-/// A motor on a standing body moves the other one; motors between moving bodies are joints.
+/// A motor on a standing body moves the other one; motors between moving bodies are joints. The
+/// target is the angular velocity of the second body minus that of the first.
 void read_motors(std::vector<JsonObject>& motors, std::vector<SplishBody>& bodies) {
   for (JsonObject& m : motors) {
-    SplishBody* turned = body_of_joint(bodies, m, "bodyID1");
-    const SplishBody* other = body_of_joint(bodies, m, "bodyID2");
-    if (!turned || !other) continue;
-    if (!other->dynamic && turned->dynamic) turned->motor = &m;
+    SplishBody* first = body_of_joint(bodies, m, "bodyID1");
+    SplishBody* second = body_of_joint(bodies, m, "bodyID2");
+    if (!first || !second) continue;
+    if (first->dynamic != second->dynamic) {
+      SplishBody* turned = first->dynamic ? first : second;
+      turned->motor = &m;
+      turned->motor_sign = first->dynamic ? -1 : 1;
+    } else if (!first->dynamic) m.missing("bodyID1", "a motor between two standing bodies");
     else m.missing("bodyID1", "a motor between two moving bodies is left out; add a [joint]");
   }
 }

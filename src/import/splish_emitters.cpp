@@ -97,6 +97,7 @@ std::string read_emitter(JsonObject& o, const SplishMaterials& materials, Splish
   move_into_tank(o, e, world);
   const SplishLiquid& liquid = materials.liquid(e.id);
   const double speed = o.number("velocity", 1, {.min = 0, .above = true});
+  world.fastest = std::max(world.fastest, speed);
   TomlTable table;
   set_opening(e, world, table);
   table.set("speed", speed);

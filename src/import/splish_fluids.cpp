@@ -14,9 +14,12 @@ namespace {
 using SplishPoint = Vec<3, double>;
 
 /// The velocity of a fluid that also turns about the centre of its particles.
-void set_velocity(JsonObject& fluid, const SplishPoint& center, int dimension, TomlTable& table) {
+void set_velocity(JsonObject& fluid, const SplishPoint& center, SplishWorld& world,
+                  TomlTable& table) {
+  const int dimension = world.dimension;
   const SplishPoint v = fluid.point("initialVelocity", {}),
                     w = fluid.point("initialAngularVelocity", {});
+  world.fastest = std::max(world.fastest, norm(v));
   if (norm(w) == 0) {
     if (norm(v) > 0) table.set("velocity", v, dimension);
     return;
@@ -70,17 +73,10 @@ std::string read_block(JsonObject& block, const SplishMaterials& materials, Spli
   const SplishPoint half{world.radius, world.radius, world.radius};
   world.extent.add(first - half);
   world.extent.add(last + half);
-  set_velocity(block, 0.5 * (first + last), world.dimension, table);
+  set_velocity(block, 0.5 * (first + last), world, table);
   table.add(materials.liquid(id).of_fluid());
   block.finish();
   return table.item("fluid");
-}
-
-bool is_mesh_file(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return extension == ".obj" || extension == ".ply";
 }
 
 /// Reports the errors of a file at the key that names it.
@@ -148,7 +144,7 @@ std::string read_model(JsonObject& model, const SplishMaterials& materials, Spli
     else table.set("rotation", turn, 3);
   }
   if (norm(place.translation) > 0) table.set("translation", place.translation, world.dimension);
-  set_velocity(model, bounds.center(), world.dimension, table);
+  set_velocity(model, bounds.center(), world, table);
   table.add(materials.liquid(id).of_fluid());
   const SplishPoint half{world.radius, world.radius, world.radius};
   bounds.add(bounds.low - half);
@@ -159,6 +155,13 @@ std::string read_model(JsonObject& model, const SplishMaterials& materials, Spli
 }
 
 }  // namespace
+
+bool is_mesh_file(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension == ".obj" || extension == ".ply";
+}
 
 std::string read_splish_fluids(std::vector<JsonObject> blocks, std::vector<JsonObject> models,
                                const SplishMaterials& materials, SplishWorld& world) {

@@ -24,13 +24,11 @@ double splish_tolerance(JsonObject& block, const char* key, double fallback, dou
   return fraction;
 }
 
-void read_wcsph(JsonObject& block, TomlTable& solver) {
+void read_wcsph(JsonObject& block, SplishSettings& s) {
   const double stiffness = block.number("stiffness", 50, {.min = 0});
   const double exponent = block.number("exponent", 7, {.min = 0, .above = true});
-  if (stiffness > 0) solver.set("sound_speed", std::sqrt(stiffness * exponent / 1000));
-  else
-    block.instead("stiffness",
-                  "0 is no pressure; taken instead: the default of solver.sound_speed");
+  s.bulk_modulus = stiffness * exponent;
+  s.wcsph = block;
   if (exponent != 7)
     block.instead("exponent",
                   fmt::format("{:g}; taken instead: 7, with the same speed of sound", exponent));
@@ -76,7 +74,7 @@ void read_method(JsonObject& config, SplishSettings& s) {
       config.missing(splish_methods[k],
                      "no effect in SPlisHSPlasH either: another method is chosen");
   JsonObject block = config.object(splish_methods[method]);
-  if (s.method == 0) read_wcsph(block, s.solver);
+  if (s.method == 0) read_wcsph(block, s);
   else read_pressure_solver(block, s.method, s.solver);
   block.finish();
 }
@@ -172,6 +170,12 @@ SplishSettings read_splish_settings(JsonObject config, SplishWorld& world) {
   world.radius = config.number("particleRadius", 0.025, {.min = 0, .above = true});
   world.dimension = config.boolean("sim2D", false) ? 2 : 3;
   s.particles.set("spacing", world.spacing());
+  if (world.only_points)
+    config.assumed(
+        "particleRadius",
+        fmt::format("files of points are sampled for particles of 0.8 ρ0 (2r)^{0}; taken "
+                    "instead: {1:.6g} m between particles, which gives them that mass",
+                    world.dimension, world.spacing()));
   s.particles.set("support_radius", 4 * world.radius);
   s.gravity = config.point("gravitation", {0, -9.81, 0});
   const int walls =

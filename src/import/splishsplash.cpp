@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/input_file.h"
@@ -45,6 +46,35 @@ TomlTable domain_of(const SplishWorld& world, const Vec<3, double>& gravity) {
   table.set("max", room.high, world.dimension);
   table.set("gravity", gravity, world.dimension);
   return table;
+}
+
+/// Whether all fluid is files of points.
+bool has_only_points(JsonObject& scene) {
+  if (!scene.list("FluidBlocks").empty() || !scene.list("Emitters").empty()) return false;
+  std::vector<JsonObject> models = scene.list("FluidModels");
+  return !models.empty() && std::all_of(models.begin(), models.end(), [](JsonObject& model) {
+    return !is_mesh_file(model.text("particleFile", ""));
+  });
+}
+
+/// The speed of sound, from the pressure k ((rho/rho0)^n - 1) of WCSPH. A liquid that moves faster
+/// than its sound has no step that is stable.
+void set_sound_speed(const SplishSettings& settings, const std::vector<std::string>& ids,
+                     const SplishMaterials& materials, const SplishWorld& world,
+                     TomlTable& solver) {
+  JsonObject block = *settings.wcsph;
+  const double density = materials.liquid(ids.empty() ? "" : ids.front()).rest_density;
+  const double sound = std::sqrt(settings.bulk_modulus / density);
+  const double fall = world.tank ? std::sqrt(2 * norm(settings.gravity) * world.tank->size().y) : 0;
+  const double flow = std::max(world.fastest, fall);
+  if (sound > flow) {
+    solver.set("sound_speed", sound);
+    return;
+  }
+  block.assumed("stiffness",
+                fmt::format("sound of {:.3g} m/s is slower than the flow, which may reach {:.3g} "
+                            "m/s; taken instead: the default of solver.sound_speed",
+                            sound, flow));
 }
 
 void read_fields(JsonObject& scene) {
@@ -91,6 +121,7 @@ ImportedScene import_splishsplash(const std::string& json, const fs::path& file,
   SplishWorld world;
   world.from = file.parent_path();
   world.to = folder;
+  world.only_points = has_only_points(scene);
   const SplishSettings settings = read_splish_settings(scene.object("Configuration"), world);
   const std::vector<std::string> ids = used_ids(scene);
   world.has_fluid = !scene.list("FluidBlocks").empty() || !scene.list("FluidModels").empty();
@@ -108,6 +139,7 @@ ImportedScene import_splishsplash(const std::string& json, const fs::path& file,
   if (!world.tank) walls.set("method", "open");
   else if (!materials.sticks) walls.set("slip", "free_slip");
   if (settings.method != 0) solver.set("xsph", materials.xsph);
+  else set_sound_speed(settings, ids, materials, world, solver);
   solver.add(materials.solver);
   ImportedScene result;
   result.notes = std::move(findings.notes);

@@ -2,6 +2,7 @@
 /// The parts of a scene of SPlisHSPlasH. Each part reads its block of the JSON and returns tables
 /// of TOML.
 #pragma once
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -19,14 +20,19 @@ struct SplishWorld {
   std::filesystem::path from;  ///< folder of the JSON file
   std::filesystem::path to;    ///< folder of the TOML
   int dimension = 3;
-  double radius = 0.025;        ///< of a particle [m]
+  double radius = 0.025;  ///< of a particle [m]
+  /// All fluid is points of files, which are sampled for the mass 0.8 rho0 (2r)^3.
+  bool only_points = false;
   bool particle_walls = false;  ///< boundaryHandlingMethod 0: a wall has no inside
   double duration = 5;          ///< [s]
   bool has_fluid = false;       ///< besides what emitters bring
+  double fastest = 0;           ///< speed that a fluid starts with or an emitter gives [m/s]
   std::optional<Bounds> tank;   ///< the box that holds the fluid
   Bounds extent;                ///< of everything but the tank
 
-  double spacing() const { return 2 * radius; }
+  double spacing() const {
+    return 2 * radius * (only_points ? std::pow(0.8, 1.0 / dimension) : 1.0);
+  }
   bool flat() const { return dimension == 2; }
   /// A file of the scene as the TOML names it.
   std::string file_in_toml(const std::string& file) const;
@@ -36,6 +42,8 @@ struct SplishWorld {
 struct SplishSettings {
   Vec<3, double> gravity{0, -9.81, 0};
   int method = 4;
+  double bulk_modulus = 0;          ///< of WCSPH [Pa]
+  std::optional<JsonObject> wcsph;  ///< its block
   TomlTable particles, solver, time, output, camera;
 };
 SplishSettings read_splish_settings(JsonObject config, SplishWorld& world);
@@ -67,6 +75,9 @@ struct SplishMaterials {
 SplishMaterials read_splish_materials(std::vector<JsonObject> materials,
                                       const std::vector<std::string>& ids,
                                       const SplishWorld& world);
+
+/// Whether a "particleFile" is a mesh to fill, not points.
+bool is_mesh_file(const std::string& file);
 
 /// "FluidBlocks" and "FluidModels": the tables [[fluid]].
 std::string read_splish_fluids(std::vector<JsonObject> blocks, std::vector<JsonObject> models,

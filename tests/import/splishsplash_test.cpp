@@ -91,7 +91,15 @@ TEST(SplishSplash, MethodsBecomeSolvers) {
 TEST(SplishSplash, StiffnessBecomesTheSpeedOfSound) {
   const ImportFolder folder(dam_with(R"("simulationMethod": 4)",
                                      R"("simulationMethod": 0, "WCSPH": {"stiffness": 50000})"));
-  EXPECT_NEAR(std::sqrt(350.0), *folder.scene().solver.sound_speed, 1e-6);
+  EXPECT_NEAR(std::sqrt(350000 / 900.0), *folder.scene().solver.sound_speed, 1e-6);
+  EXPECT_TRUE(notes_of(folder.import(), "Configuration.WCSPH.stiffness").empty());
+}
+
+TEST(SplishSplash, SoundThatIsSlowerThanTheFlowIsNotTaken) {
+  const ImportFolder folder(dam_with(R"("simulationMethod": 4)",
+                                     R"("simulationMethod": 0, "WCSPH": {"stiffness": 2000})"));
+  EXPECT_FALSE(folder.scene().solver.sound_speed);  // 3.9 m/s; a fall through the tank: 4.4 m/s
+  EXPECT_EQ(1u, notes_of(folder.import(), "Configuration.WCSPH.stiffness").size());
 }
 
 /// The dam break with another body.
@@ -205,6 +213,18 @@ TEST(SplishSplash, ModelsOfPointsAreScaledRotatedAndTranslated) {
   expect_vector({0, 1, 0}, s.fluid[1].velocity);
 }
 
+TEST(SplishSplash, PointsAloneHaveTheMassThatTheyWereSampledFor) {
+  std::string json = dam_json;
+  const auto blocks = json.find(",\n  \"FluidBlocks\"");
+  json.replace(blocks, json.rfind('}') - blocks, R"(, "FluidModels": [{"particleFile": "p.csv"}])");
+  const ImportFolder folder(json);
+  write_text(folder / "p.csv", "x,y,z\n0,0.3,0\n0.05,0.3,0\n0.1,0.3,0\n");
+  const Scene s = folder.scene();
+  EXPECT_NEAR(0.8 * std::pow(0.05, 3), std::pow(s.particles.spacing, 3), 1e-9);
+  EXPECT_DOUBLE_EQ(0.1, *s.particles.support_radius);
+  EXPECT_EQ(1u, notes_of(folder.import(), "Configuration.particleRadius").size());
+}
+
 TEST(SplishSplash, SeveralFluidsHaveTheirDensities) {
   std::string json = dam_with(R"("Materials": [)",
                               R"("Materials": [{"id": "oil", "density0": 700, "viscosityMethod": 6,
@@ -233,14 +253,14 @@ TEST(SplishSplash, AMotorTurnsItsBody) {
   const Scene s = ImportFolder(steady).scene();
   ASSERT_EQ(1u, s.body.size());
   EXPECT_EQ(BodyMotion::moved, s.body[0].motion);
-  EXPECT_EQ(0u, s.body[0].angle.find("-343.77"));
+  EXPECT_EQ(0u, s.body[0].angle.find("343.77"));  // the target is that of the second body
   sequence.insert(sequence.rfind('}'),
                   motor + R"("targetSequence": [0, -2, 1, 4], "repeatSequence": 1}])");
   const Scene t = ImportFolder(sequence).scene();
   ASSERT_GT(t.body[0].key.size(), 10u);
   const Scene::Body::Key& end = t.body[0].key[20];
   EXPECT_NEAR(1, end.time, 1e-9);
-  EXPECT_NEAR(180 / std::numbers::pi, end.angle, 1e-6);  // the mean speed is 1 rad/s
+  EXPECT_NEAR(-180 / std::numbers::pi, end.angle, 1e-6);  // the mean speed is -1 rad/s
 }
 
 TEST(SplishSplash, FieldsAndElasticityAreListed) {
