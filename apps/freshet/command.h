@@ -73,8 +73,11 @@ std::vector<std::filesystem::path> folders_that_come_along(const std::string& na
 /// The bundled scenes, by name.
 std::vector<std::pair<std::string, std::filesystem::path>> scenes_that_come_along();
 
-/// Whether the file is a scene of another program, by its extension.
-bool is_json_scene(const std::filesystem::path& file);
+/// Whether the file is a scene of another program, by its extension: *.json or *.xml.
+bool is_foreign_scene(const std::filesystem::path& file);
+/// Converts such a scene. Files are named relative to `folder`.
+ImportedScene import_foreign(const std::filesystem::path& file,
+                             const std::filesystem::path& folder);
 /// Loads a converted scene. Messages name the file and lines of the TOML.
 Scene load_converted(const ImportedScene& imported, const std::filesystem::path& file,
                      const std::vector<Override>& overrides);

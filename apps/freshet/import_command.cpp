@@ -24,13 +24,22 @@ fs::path output_of(const ImportArguments& a) {
   return a.output.empty() ? fs::path(a.scene).stem().concat(".toml") : fs::path(a.output);
 }
 
+bool has_extension(const fs::path& file, const char* expected) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension == expected;
+}
+
 /// Writes the file. A scene that another program made is not overwritten.
 int import_scene(const ImportArguments& a) {
   const fs::path file = output_of(a);
   if (fs::exists(fs::symlink_status(file)))
     throw Error(Error::Kind::scene, file.string(), "exists already; choose another `output`",
                 {"output"});
-  const ImportedScene scene = import_splishsplash(fs::path(a.scene), file.parent_path());
+  const fs::path from = a.scene, to = file.parent_path();
+  const ImportedScene scene =
+      a.program == "dualsphysics" ? import_dualsphysics(from, to) : import_splishsplash(from, to);
   print_notes(scene.notes);
   write_whole(file, scene.toml);
   print_out("wrote {}\n", printable(file.string()));
@@ -41,11 +50,13 @@ int import_scene(const ImportArguments& a) {
 
 }  // namespace
 
-bool is_json_scene(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return extension == ".json";
+bool is_foreign_scene(const fs::path& file) {
+  return has_extension(file, ".json") || has_extension(file, ".xml");
+}
+
+ImportedScene import_foreign(const fs::path& file, const fs::path& folder) {
+  return has_extension(file, ".xml") ? import_dualsphysics(file, folder)
+                                     : import_splishsplash(file, folder);
 }
 
 Scene load_converted(const ImportedScene& imported, const fs::path& file,
@@ -54,24 +65,28 @@ Scene load_converted(const ImportedScene& imported, const fs::path& file,
 }
 
 void print_notes(const std::vector<ImportNote>& notes) {
-  std::string shown;
+  std::string shown, reason;
   for (const ImportNote& note : notes)
-    if (note.kind == ImportNote::Kind::display) shown += (shown.empty() ? "" : ", ") + note.key;
-    else print_error("{}\n", printable(note.text()));
-  if (!shown.empty())
-    print_error("note: only for the window and the files of SPlisHSPlasH, and without effect: {}\n",
-                printable(shown));
+    if (note.kind == ImportNote::Kind::display) {
+      shown += (shown.empty() ? "" : ", ") + note.key;
+      reason = note.message;
+    } else print_error("{}\n", printable(note.text()));
+  if (!shown.empty()) print_error("note: {}, and without effect: {}\n", reason, printable(shown));
 }
 
 void add_import(Program& program) {
   const auto a = std::make_shared<ImportArguments>();
   const Command command =
       program.add("import", "Convert a scene of another program, and list what has no counterpart");
-  command.option("PROGRAM", a->program, "the other program").required().one_of({"splishsplash"});
+  command.option("PROGRAM", a->program, "the other program")
+      .required()
+      .one_of({"dualsphysics", "splishsplash"});
   command.option("SCENE", a->scene, "its scene file").value("FILE").required();
   command.option("-o,--output", a->output, "the scene file to write (default: SCENE.toml, here)")
       .value("FILE");
-  command.footer("Example:\n  freshet import splishsplash DamBreakModel.json -o dam.toml");
+  command.footer(
+      "Examples:\n  freshet import splishsplash DamBreakModel.json -o dam.toml\n"
+      "  freshet import dualsphysics CaseDambreak_Def.xml -o dam.toml");
   command.action([a] { return import_scene(*a); });
 }
 

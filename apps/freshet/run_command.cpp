@@ -49,8 +49,8 @@ void tell(const std::vector<ImportNote>& notes, const Progress& progress) {
 /// The scene of a file: TOML, or a scene of another program.
 Scene scene_of(const std::filesystem::path& file, const std::vector<Override>& overrides,
                const Progress& progress) {
-  if (!is_json_scene(file)) return load_scene(file, overrides);
-  const ImportedScene imported = import_splishsplash(file, file.parent_path());
+  if (!is_foreign_scene(file)) return load_scene(file, overrides);
+  const ImportedScene imported = import_foreign(file, file.parent_path());
   tell(imported.notes, progress);
   return load_converted(imported, file, overrides);
 }

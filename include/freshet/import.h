@@ -41,4 +41,12 @@ ImportedScene import_splishsplash(const std::string& json, const std::filesystem
 ImportedScene import_splishsplash(const std::filesystem::path& file,
                                   const std::filesystem::path& folder);
 
+/// Converts a case of DualSPHysics (Case_Def.xml), as import_splishsplash converts its scenes.
+/// Needs pugixml when Freshet is built.
+ImportedScene import_dualsphysics(const std::string& xml, const std::filesystem::path& file,
+                                  const std::filesystem::path& folder);
+/// Reads the file and converts it.
+ImportedScene import_dualsphysics(const std::filesystem::path& file,
+                                  const std::filesystem::path& folder);
+
 }  // namespace freshet

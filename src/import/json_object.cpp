@@ -13,8 +13,6 @@
 namespace freshet {
 namespace {
 
-constexpr std::size_t most_import_errors = 20;
-
 /// A value as messages show it: not too long, and without control characters.
 std::string shown_json(const nlohmann::json& value) {
   std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
@@ -42,41 +40,16 @@ bool is_point(const nlohmann::json& value) {
 
 }  // namespace
 
-std::string ImportNote::text() const {
-  return fmt::format("{}: note: {}: {}", place, key, message);
-}
-
-ImportFindings::ImportFindings(std::string_view json, std::string file)
-    : json_(json), file_(std::move(file)), places_(places_in(json)) {
+JsonFindings::JsonFindings(std::string_view json, std::string file)
+    : ImportFindings(std::move(file)), json_(json), places_(places_in(json)) {
   for (const std::string& path : places_.twice)
     note(ImportNote::Kind::instead, path, "set twice; the last value is taken");
 }
 
-std::string ImportFindings::place(const std::string& path) const {
+std::string JsonFindings::place(const std::string& path) const {
   const auto found = places_.byte.find(path);
-  return found == places_.byte.end() ? file_ : file_ + ":" + line_and_column(json_, found->second);
-}
-
-void ImportFindings::error(const std::string& path, const std::string& message) {
-  const std::string at = place(path);
-  for (const Diagnostic& d : errors_)  // two parts may read a key
-    if (d.place == at && d.message == message) return;
-  errors_.push_back({Diagnostic::Severity::error, at, message});
-}
-
-void ImportFindings::note(ImportNote::Kind kind, const std::string& path,
-                          const std::string& message) {
-  notes.push_back({kind, place(path), path, message});
-}
-
-void ImportFindings::throw_errors() {
-  if (errors_.empty()) return;
-  if (errors_.size() > most_import_errors) {
-    const std::size_t more = errors_.size() - most_import_errors;
-    errors_.resize(most_import_errors);
-    errors_.push_back({Diagnostic::Severity::error, file_, fmt::format("and {} more", more)});
-  }
-  throw Error(Error::Kind::scene, std::move(errors_));
+  return found == places_.byte.end() ? file()
+                                     : file() + ":" + line_and_column(json_, found->second);
 }
 
 JsonObject::JsonObject(const nlohmann::json* value, std::string path, ImportFindings& findings)

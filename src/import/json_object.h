@@ -9,30 +9,22 @@
 #include <vector>
 
 #include "core/vec.h"
-#include "freshet/import.h"
+#include "import/findings.h"
 #include "import/json_places.h"
 
 namespace freshet {
 
-/// The errors and the notes of an import.
-class ImportFindings {
+/// Finds the places of keys in a JSON text.
+class JsonFindings : public ImportFindings {
  public:
-  ImportFindings(std::string_view json, std::string file);
+  JsonFindings(std::string_view json, std::string file);
 
-  void error(const std::string& path, const std::string& message);
-  void note(ImportNote::Kind kind, const std::string& path, const std::string& message);
-  /// Throws Error if there are errors.
-  void throw_errors();
-
-  std::vector<ImportNote> notes;
+ protected:
+  std::string place(const std::string& path) const override;
 
  private:
-  std::string place(const std::string& path) const;
-
   std::string_view json_;
-  std::string file_;
   JsonPlaces places_;
-  std::vector<Diagnostic> errors_;
 };
 
 /// The range of a number.

@@ -86,23 +86,10 @@ void read_fields(JsonObject& scene) {
                               in_one_line(field.text("particleField", "velocity"))));
 }
 
-/// The notes as comments: what is taken instead, what is missing, and the keys of the window.
-std::string comments_of(const std::string& file, const std::vector<ImportNote>& notes) {
-  std::string text = "# Converted from " + in_one_line(file) + " of SPlisHSPlasH.\n", shown;
-  for (const ImportNote& note : notes)
-    if (note.kind == ImportNote::Kind::display) shown += (shown.empty() ? "" : ", ") + note.key;
-    else text += "# " + in_one_line(note.key + ": " + note.message) + "\n";
-  if (!shown.empty()) text += "# Only for its window and its files: " + in_one_line(shown) + "\n";
-  return text;
-}
-
 }  // namespace
 
 std::string SplishWorld::file_in_toml(const std::string& file) const {
-  if (fs::path(file).is_absolute()) return file;
-  const fs::path target = fs::absolute(from / file).lexically_normal();
-  const fs::path relative = target.lexically_relative(fs::absolute(to).lexically_normal());
-  return (relative.empty() ? target : relative).generic_string();
+  return path_for_toml(file, from, to);
 }
 
 Placement read_splish_placement(JsonObject& object) {
@@ -116,7 +103,7 @@ Placement read_splish_placement(JsonObject& object) {
 ImportedScene import_splishsplash(const std::string& json, const fs::path& file,
                                   const fs::path& folder) {
   const nlohmann::json parsed = parse_json(json, file.string());
-  ImportFindings findings(json, file.string());
+  JsonFindings findings(json, file.string());
   JsonObject scene(&parsed, "", findings);
   SplishWorld world;
   world.from = file.parent_path();
@@ -143,7 +130,7 @@ ImportedScene import_splishsplash(const std::string& json, const fs::path& file,
   solver.add(materials.solver);
   ImportedScene result;
   result.notes = std::move(findings.notes);
-  result.toml = comments_of(file.filename().string(), result.notes) + "\n";
+  result.toml = comments_of(file.filename().string(), "SPlisHSPlasH", result.notes) + "\n";
   result.toml += title.lines() + domain_of(world, settings.gravity).table("domain") +
                  settings.particles.table("particles") + fluids + bodies + inlets +
                  solver.table("solver") + materials.air.table("air") + walls.table("walls") +

@@ -24,6 +24,15 @@ std::string toml_vector(const Vec<3, double>& a, int dimension) {
   return out + (dimension == 3 ? ", " + toml_number(a.z) : "") + "]";
 }
 
+std::string path_for_toml(const std::string& file, const std::filesystem::path& from,
+                          const std::filesystem::path& to) {
+  namespace fs = std::filesystem;
+  if (fs::path(file).is_absolute()) return file;
+  const fs::path target = fs::absolute(from / file).lexically_normal();
+  const fs::path relative = target.lexically_relative(fs::absolute(to).lexically_normal());
+  return (relative.empty() ? target : relative).generic_string();
+}
+
 void TomlTable::line(const std::string& key, const std::string& value) {
   text_ += key + " = " + value + "\n";
 }

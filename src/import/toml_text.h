@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Writes the tables of a scene.
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,10 @@ std::string toml_number(double value);
 std::string toml_string(const std::string& text);
 /// The first `dimension` components.
 std::string toml_vector(const Vec<3, double>& a, int dimension);
+
+/// A file that a scene in `from` names, as a TOML in `to` names it.
+std::string path_for_toml(const std::string& file, const std::filesystem::path& from,
+                          const std::filesystem::path& to);
 
 /// The lines of a table.
 class TomlTable {
