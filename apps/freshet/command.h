@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command_line.h"
+#include "freshet/import.h"
 #include "freshet/simulation.h"
 
 namespace freshet::cli {
@@ -52,6 +53,7 @@ void add_surface(Program& program);
 void add_film(Program& program);
 void add_view(Program& program);
 void add_new(Program& program);
+void add_import(Program& program);
 void add_check(Program& program);
 void add_info(Program& program);
 void add_scenes(Program& program);
@@ -70,6 +72,17 @@ std::filesystem::path find_scene(const std::string& name);
 std::vector<std::filesystem::path> folders_that_come_along(const std::string& name);
 /// The bundled scenes, by name.
 std::vector<std::pair<std::string, std::filesystem::path>> scenes_that_come_along();
+
+/// Whether the file is a scene of another program, by its extension: *.json or *.xml.
+bool is_foreign_scene(const std::filesystem::path& file);
+/// Converts such a scene. Files are named relative to `folder`.
+ImportedScene import_foreign(const std::filesystem::path& file,
+                             const std::filesystem::path& folder);
+/// Loads a converted scene. Messages name the file and lines of the TOML.
+Scene load_converted(const ImportedScene& imported, const std::filesystem::path& file,
+                     const std::vector<Override>& overrides);
+/// Prints what a conversion takes instead; keys of the other program's window are one line.
+void print_notes(const std::vector<ImportNote>& notes);
 
 /// The bundled validation cases.
 std::vector<std::string> case_names();

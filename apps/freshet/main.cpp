@@ -29,6 +29,7 @@ int run_program(int argc, char** argv) {
   add_film(program);
   add_view(program);
   add_new(program);
+  add_import(program);
   add_check(program);
   add_info(program);
   add_scenes(program);

@@ -37,6 +37,24 @@ void warn(const std::vector<Diagnostic>& warnings, const Progress& progress) {
   }
 }
 
+/// What the conversion of another program's scene takes instead: lines, or events.
+void tell(const std::vector<ImportNote>& notes, const Progress& progress) {
+  for (const ImportNote& note : notes)
+    progress.event(json_text(nlohmann::ordered_json{
+        {"event", "note"}, {"place", note.place}, {"key", note.key}, {"message", note.message}}));
+  if (progress.style() != Progress::Style::json && progress.style() != Progress::Style::quiet)
+    print_notes(notes);
+}
+
+/// The scene of a file: TOML, or a scene of another program.
+Scene scene_of(const std::filesystem::path& file, const std::vector<Override>& overrides,
+               const Progress& progress) {
+  if (!is_foreign_scene(file)) return load_scene(file, overrides);
+  const ImportedScene imported = import_foreign(file, file.parent_path());
+  tell(imported.notes, progress);
+  return load_converted(imported, file, overrides);
+}
+
 /// A warning when it is first seen: a line for people, or an event.
 void tell(const Warning& w, Progress& progress) {
   progress.event(json_text(nlohmann::ordered_json{{"event", "warning"},
@@ -177,7 +195,7 @@ int run_scene(const RunArguments& a, const std::vector<std::string>& command_lin
   const SceneChange change = a.scene.change();
   warn(change.dropped, outcome.progress);
   const std::filesystem::path file = find_scene(a.scene.name);
-  const Scene scene = load_scene(file, change.overrides);
+  const Scene scene = scene_of(file, change.overrides, outcome.progress);
   RunOptions options;
   options.scene_name = file == a.scene.name ? file.stem().string() : a.scene.name;
   options.output = a.output;

@@ -73,13 +73,20 @@ SceneChange SceneArguments::change() const {
   auto all = overrides();
   if (!backend.empty()) all.emplace_back("solver.backend", fmt::format("\"{}\"", backend));
   if (solver.empty()) return {std::move(all), {}};
+  if (is_foreign_scene(find_scene(name)))
+    throw Error(Error::Kind::scene, "option solver " + solver,
+                "changes scenes in TOML only; write the scene by `freshet import`, and run that");
   return change_solver(find_scene(name), solver, all);
 }
 
 Scene SceneArguments::load() const {
   const SceneChange c = change();
   print_diagnostics(c.dropped);
-  return load_scene(find_scene(name), c.overrides);
+  const fs::path file = find_scene(name);
+  if (!is_foreign_scene(file)) return load_scene(file, c.overrides);
+  const ImportedScene imported = import_foreign(file, file.parent_path());
+  print_notes(imported.notes);
+  return load_converted(imported, file, c.overrides);
 }
 
 std::vector<std::pair<std::string, fs::path>> scenes_that_come_along() {

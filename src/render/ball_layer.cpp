@@ -74,7 +74,7 @@ void BallLayer::add_whitewater(const WhitewaterFrame& whitewater, const View& vi
 void BallLayer::add_walls(const Scene& scene, const View& view, float size) {
   for (const Scene::Wall& w : scene.wall) {
     if (w.shape != Shape::points) continue;
-    const PointCloud cloud = read_points(w.file, 3);
+    const PointCloud cloud = region_points(w, 3);
     for (std::size_t k = 0; k < cloud.x.size(); k += 3)
       add(view, {cloud.x[k], cloud.x[k + 1], cloud.x[k + 2]}, size, point_color);
   }

@@ -104,7 +104,7 @@ void add_points(Part& part, const Scene& scene, const Scene::Region& region) {
   const auto D = std::size_t(scene.dimension());
   PointCloud cloud;
   try {
-    cloud = read_points(region.file, int(D));
+    cloud = region_points(region, int(D));
   } catch (const Error&) {
     return;
   }

@@ -204,6 +204,34 @@ TEST_F(PointFile, MustExistAndBeAFile) {
   EXPECT_THROW(read_points("/dev/null", 3), Error);
 }
 
+TEST_F(PointFile, ARegionScalesThenRotatesThenTranslates) {
+  write_text(folder_ / "a.csv", "x,y,z,vx,vy,vz\n1,2,3,4,5,6\n");
+  Scene::Region region;
+  region.shape = Shape::points;
+  region.file = (folder_ / "a.csv").string();
+  EXPECT_EQ((std::vector<double>{1, 2, 3}), region_points(region, 3).x);
+  region.scale = 2;
+  region.rotation = {0, 0, 90};
+  region.translation = {10, 0, -1};
+  const PointCloud cloud = region_points(region, 3);
+  const double x[] = {6, 2, 5}, v[] = {-5, 4, 6};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(x[k], cloud.x[k], 1e-12);
+    EXPECT_NEAR(v[k], cloud.v[k], 1e-12);
+  }
+}
+
+TEST_F(PointFile, ARegionIn2DTurnsAboutZ) {
+  write_text(folder_ / "a.csv", "x,y\n1,2\n3,4\n");
+  Scene::Region region;
+  region.file = (folder_ / "a.csv").string();
+  region.rotation = {-90};
+  region.translation = {0, 1};
+  const double x[] = {2, 0, 4, -2};
+  const PointCloud cloud = region_points(region, 2);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(x[k], cloud.x[k], 1e-12);
+}
+
 TEST(PointSpacing, IsTheMedianDistanceOfNearestNeighbors) {
   std::vector<double> x;
   for (int k = 0; k < 20; ++k)

@@ -37,7 +37,7 @@ std::pair<Vector, Vector> reach_of(const Scene& s, const Scene::Fluid& f) {
     const Lattice lattice = lattice_of(s, f);
     return {lattice.from, lattice.last(s.particles.spacing)};
   }
-  const std::vector<double> x = read_points(f.file, s.dimension()).x;
+  const std::vector<double> x = region_points(f, s.dimension()).x;
   const auto n = std::size_t(s.dimension());
   Vector low(x.begin(), x.begin() + s.dimension()), high = low;
   for (std::size_t i = 0; i < x.size(); ++i) {

@@ -40,7 +40,7 @@ std::vector<std::string> needed_keys(Shape shape) {
 /// The optional keys of a shape.
 std::vector<std::string> further_keys(Shape shape) {
   if (shape == Shape::cylinder) return {"axis"};
-  if (shape == Shape::mesh) return {"scale", "rotation", "translation"};
+  if (shape == Shape::mesh || shape == Shape::points) return {"scale", "rotation", "translation"};
   if (shape == Shape::polygon) return {"points", "file", "scale", "rotation", "translation"};
   if (shape == Shape::box) return {"rotation"};
   return {};
@@ -172,7 +172,7 @@ bool check_region(const Scene& s, const RegionAt& at, Findings& out) {
 
 std::optional<PointCloud> check_points(const Scene& s, const RegionAt& at, Findings& out) {
   try {
-    return read_points(at.region.file, s.dimension());
+    return region_points(at.region, s.dimension());
   } catch (const Error& e) {
     for (const Diagnostic& d : e.diagnostics())
       if (d.place == at.region.file)  // an error of the whole file is reported at the key

@@ -35,7 +35,7 @@ class PointWarnings {
     list_.push_back({Diagnostic::Severity::warning, place_of(s_, key), std::move(message)});
   }
   void fluid(const Scene::Fluid& f, const std::string& key) {
-    const PointCloud cloud = read_points(f.file, s_.dimension());
+    const PointCloud cloud = region_points(f, s_.dimension());
     if (!cloud.unused.empty())
       warn(key, fmt::format("{} has columns that are not used: {}; a fluid reads positions and "
                             "velocities",
@@ -48,7 +48,7 @@ class PointWarnings {
                             count, cloud.x.size() / std::size_t(s_.dimension()), f.file));
   }
   void wall(const Scene::Wall& w, const std::string& key) {
-    PointCloud cloud = read_points(w.file, s_.dimension());
+    PointCloud cloud = region_points(w, s_.dimension());
     if (!cloud.v.empty()) cloud.unused.insert(cloud.unused.begin(), "velocities");
     if (!cloud.unused.empty())
       warn(key, fmt::format("{} has columns that are not used: {}; a wall reads positions", w.file,

@@ -51,21 +51,23 @@ void file_keys(KeyVisitor& v, Scene::Region& r) {
              .text = "corners of a polygon in order, `[[x, y], [x, y], ...]`, if they are not in "
                      "`file`",
              .fallback = "none"});
-  v.number("scale", r.scale,
-           {.unit = "m",
-            .text = "length of one unit of a mesh or polygon: 0.001 for millimetres",
-            .min = 0,
-            .above = true});
+  v.number(
+      "scale", r.scale,
+      {.unit = "m",
+       .text = "length of one unit of a mesh, polygon or file of points: 0.001 for millimetres",
+       .min = 0,
+       .above = true});
   static constexpr std::size_t about_axes[] = {3};
   v.components("rotation", r.rotation, about_axes,
                {.unit = "°",
-                .text = "rotation of a box about its centre, or of a mesh or polygon about the "
-                        "origin, after scaling: in 2D a number, counterclockwise; in 3D about x, "
+                .text = "rotation of a box about its centre, or of a mesh, polygon or file of "
+                        "points about the origin, after scaling: in 2D a number, counterclockwise; "
+                        "in 3D about x, "
                         "then y, then z; [-90, 0, 0] turns z upwards into y upwards",
                 .fallback = "none"});
   v.vector("translation", r.translation,
            {.unit = "m",
-            .text = "translation of a mesh or polygon, after rotation",
+            .text = "translation of a mesh, polygon or file of points, after rotation",
             .fallback = "none"});
 }
 

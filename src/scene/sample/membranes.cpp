@@ -110,7 +110,7 @@ template <int D> std::vector<Membrane> membranes(const Scene& s, double thin) {
     const Scene::Wall& w = s.wall[k];
     if (wall_layers(s, s.wall_method(k)) == 0) continue;
     if (w.shape == Shape::points)
-      append_all<D>(sheets, join_points(read_points(w.file, D).x, D, s.particles.spacing), s);
+      append_all<D>(sheets, join_points(region_points(w, D).x, D, s.particles.spacing), s);
     else if (w.shape == Shape::mesh && !w.loaded->condition.closed())
       append_all<D>(sheets, w.loaded->distance.mesh(), s);
     else if (w.shape != Shape::plane && w.side == Side::outside)

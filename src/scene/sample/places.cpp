@@ -125,12 +125,12 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
   for (const Scene::Wall& w : s.wall)
     if (w.shape != Shape::points) add(w);
     else if (!of_file)
-      for (const Vec<D>& x : vectors<D>(read_points(w.file, D).x, origin))
+      for (const Vec<D>& x : vectors<D>(region_points(w, D).x, origin))
         wall_points_.add(to_double(x));
   for (const Scene::Inlet& in : s.inlet) zones_.emplace_back(s, in);
   for (const Scene::Body& b : s.body) add(b);
   if (f.shape != Shape::points) return;
-  const PointCloud cloud = read_points(f.file, D);
+  const PointCloud cloud = region_points(f, D);
   points_ = vectors<D>(cloud.x, origin);
   velocities_ = vectors<D>(cloud.v);
 }

@@ -8,6 +8,7 @@
 #include "formats/column_names.h"
 #include "formats/point_formats.h"
 #include "freshet/error.h"
+#include "scene/model/region_rotation.h"
 
 namespace freshet {
 namespace {
@@ -113,6 +114,36 @@ PointCloud read_points(const std::filesystem::path& file, int dimension) {
   const std::string remedy = "name a " + point_extensions() + " file";
   const InputFile point_file{.noun = "point file", .remedy = remedy.c_str()};
   return points_in(read_input(file, point_file), file, dimension);
+}
+
+namespace {
+
+/// Applies `change` to each vector of `all`, D numbers each.
+template <class Change>
+void for_each_vector(std::vector<double>& all, std::size_t D, const Change& change) {
+  for (std::size_t i = 0; i + D <= all.size(); i += D) {
+    Vec<3, double> a{all[i], all[i + 1], D == 3 ? all[i + 2] : 0};
+    a = change(a);
+    for (std::size_t k = 0; k < D; ++k) all[i + k] = component(a, int(k));
+  }
+}
+
+}  // namespace
+
+PointCloud region_points(const Scene::Region& region, int dimension) {
+  PointCloud cloud = read_points(region.file, dimension);
+  const bool turned = !region.rotation.empty();
+  if (region.scale == 1 && !turned && region.translation.empty()) return cloud;
+  const auto D = std::size_t(dimension);
+  const RegionRotation turn(region.rotation);
+  Vec<3, double> shift{};
+  for (std::size_t k = 0; k < region.translation.size(); ++k)
+    component(shift, int(k)) = region.translation[k];
+  for_each_vector(cloud.x, D, [&](const Vec<3, double>& a) {
+    return (turned ? turn(region.scale * a) : region.scale * a) + shift;
+  });
+  if (turned) for_each_vector(cloud.v, D, [&](const Vec<3, double>& a) { return turn(a); });
+  return cloud;
 }
 
 }  // namespace freshet

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "freshet/scene.h"
+
 namespace freshet {
 
 /// Points of a file, D numbers each. SI units.
@@ -18,6 +20,10 @@ struct PointCloud {
 /// velocities if the file has them. Other columns are skipped. In a 2D scene z must be 0. Throws
 /// Error (kind scene) at FILE, or at FILE:LINE.
 PointCloud read_points(const std::filesystem::path& file, int dimension);
+
+/// Reads the points of a region's file, then scales, rotates and translates them as the region says.
+/// Velocities are rotated. Throws as read_points does.
+PointCloud region_points(const Scene::Region& region, int dimension);
 
 /// Reads points from the bytes of a file. The extension of `file` selects the format; messages name
 /// `file`.

@@ -129,7 +129,7 @@ template <int D> std::vector<Vec<D, double>> surface_points(const Scene& s, std:
   const Scene::Wall& w = s.wall[wall];
   std::vector<Vec<D, double>> points;
   if (w.shape == Shape::points) {
-    const std::vector<double> x = read_points(w.file, D).x;
+    const std::vector<double> x = region_points(w, D).x;
     for (std::size_t i = 0; i < x.size(); i += D) {
       Vec<D, double> a{};
       for (int k = 0; k < D; ++k) component(a, k) = x[i + std::size_t(k)];
