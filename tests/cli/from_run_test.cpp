@@ -22,7 +22,7 @@ std::string scene_of(const std::string& fluid, const std::string& solver = "delt
       spacing, fluid, solver, more);
 }
 
-constexpr const char* column = "[[fluid]]\nmin = [0.0, 0.0]\nmax = [0.4, 0.6]\n";
+constexpr const char* first_column = "[[fluid]]\nmin = [0.0, 0.0]\nmax = [0.4, 0.6]\n";
 constexpr const char* two_layers =
     "[[fluid]]\nmin = [0, 0]\nmax = [1, 0.2]\n"
     "[[fluid]]\nmin = [0, 0.2]\nmax = [1, 0.4]\nrest_density = 800\n";
@@ -41,9 +41,9 @@ class FromRun : public ::testing::Test {
     write_text(folder / "checked.toml", text);
     return freshet({"check", (folder / "checked.toml").string()});
   }
-  void run_first(const std::string& fluid = column, const std::string& solver = "delta_sph") const {
+  void run_first(const std::string& fluid = first_column, const std::string& solver = "delta_sph") const {
     const ProcessResult r = run("first", scene_of(fluid, solver));
-    ASSERT_EQ(r.exit_code, 0) << r.err;
+    ASSERT_EQ(r.code, 0) << r.err;
   }
   std::string state(const std::string& name) const {
     return report_of(folder / name).at("state_sha256").get<std::string>();
@@ -53,7 +53,7 @@ class FromRun : public ::testing::Test {
 
 TEST_F(FromRun, StartsAsTheLastFrame) {
   run_first();
-  ASSERT_EQ(run("second", scene_of("[fluid]\nfrom_run = \"first\"\n")).exit_code, 0);
+  ASSERT_EQ(run("second", scene_of("[fluid]\nfrom_run = \"first\"\n")).code, 0);
   const RunFrames first(folder / "first"), second(folder / "second");
   const Frame end = first.read(first.size() - 1), start = second.read(0);
   EXPECT_EQ(start.time, 0);
@@ -84,12 +84,12 @@ TEST_F(FromRun, ChoosesAFrameByTimeNumberOrFile) {
 TEST_F(FromRun, IsResumedToTheSameBitsWithoutTheFirstRun) {
   run_first();
   const std::string text = scene_of("[fluid]\nfrom_run = \"first\"\nframe = 3\n");
-  ASSERT_EQ(run("whole", text).exit_code, 0);
-  ASSERT_EQ(run("part", text, {"--set", "time.end=0.06"}).exit_code, 0);
+  ASSERT_EQ(run("whole", text).code, 0);
+  ASSERT_EQ(run("part", text, {"--set", "time.end=0.06"}).code, 0);
   fs::remove_all(folder / "first");
   const ProcessResult r =
       freshet({"resume", (folder / "part").string(), "--set", "time.end=0.1", "--quiet"});
-  ASSERT_EQ(r.exit_code, 0) << r.err;
+  ASSERT_EQ(r.code, 0) << r.err;
   EXPECT_EQ(state("part"), state("whole"));
 }
 
@@ -99,12 +99,12 @@ TEST_F(FromRun, TakesOneLiquidEach) {
       "[[fluid]]\nfrom_run = \"first\"\nliquid = 0\n"
       "[[fluid]]\nfrom_run = \"first\"\nliquid = 1\nrest_density = 800\n";
   const ProcessResult r = run("second", scene_of(both, "wcsph"));
-  ASSERT_EQ(r.exit_code, 0) << r.err;
+  ASSERT_EQ(r.code, 0) << r.err;
   const RunFrames first(folder / "first"), second(folder / "second");
   EXPECT_EQ(first.read(first.size() - 1).x, second.read(0).x);
   EXPECT_EQ(first.read(0).liquid, second.read(0).liquid);
   const ProcessResult none = check(scene_of("[fluid]\nfrom_run = \"first\"\n", "wcsph"));
-  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_EQ(none.code, 2);
   EXPECT_TRUE(contains(none.err,
                        "the run has the liquids 0, 1; write a [[fluid]] for each, and "
                        "choose its liquid by fluid.liquid"))
@@ -115,7 +115,7 @@ TEST_F(FromRun, RejectsWhatDoesNotFit) {
   run_first();
   const auto expect = [&](const std::string& text, const std::string& part) {
     const ProcessResult r = check(text);
-    EXPECT_EQ(r.exit_code, 2);
+    EXPECT_EQ(r.code, 2);
     EXPECT_TRUE(contains(r.err, part)) << r.err;
   };
   const std::string from = "[fluid]\nfrom_run = \"first\"\n";

@@ -16,8 +16,6 @@
 namespace freshet::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 class FreeSurfaces : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -78,7 +76,7 @@ TEST_F(FreeSurfaces, CutOtherShapesAndMeetWalls) {
   expect_volume(scene_with("[1, 1]", 0.02,
                            "solver.name = \"dfsph\"\n[fluid]\nshape = \"sphere\"\n"
                            "center = [0.5, 0.5]\nradius = 0.3\nsurface = \"0.5\"\n"),
-                pi * 0.3 * 0.3 / 2);
+                std::numbers::pi * 0.3 * 0.3 / 2);
   expect_volume(scene_with("[1, 1]", 0.02,
                            "solver.name = \"dfsph\"\n[fluid]\nsurface = \"0.5 + 0.05*x\"\n"
                            "[[wall]]\nshape = \"plane\"\npoint = [0.5, 0]\nnormal = [-1, 2]\n"),
@@ -86,7 +84,9 @@ TEST_F(FreeSurfaces, CutOtherShapesAndMeetWalls) {
 }
 
 TEST_F(FreeSurfaces, HaveParticlesHalfASpacingBelowThem) {
-  const auto wave = [](double x) { return 0.3 + 0.026 * std::cos(2 * pi * x / 1.36); };
+  const auto wave = [](double x) {
+    return 0.3 + 0.026 * std::cos(2 * std::numbers::pi * x / 1.36);
+  };
   for (const double spacing : {0.02, 0.013}) {
     const auto [least, most] = gaps(wave_in_2d("0.3 + 0.026*cos(2*pi*x/1.36)", "", spacing), wave);
     EXPECT_GT(least, 0.25);
@@ -120,7 +120,8 @@ TEST_F(FreeSurfaces, AreHydrostaticBelow) {
   ASSERT_EQ(2 * s.pressure.size(), s.x.size());
   for (std::size_t i = 0; i < s.pressure.size(); ++i) {
     const double x = double(s.x[2 * i]), y = double(s.x[2 * i + 1]);
-    ASSERT_NEAR(double(s.pressure[i]), 9810 * (0.3 + 0.026 * std::cos(2 * pi * x / 1.36) - y), 0.5);
+    ASSERT_NEAR(double(s.pressure[i]),
+                9810 * (0.3 + 0.026 * std::cos(2 * std::numbers::pi * x / 1.36) - y), 0.5);
   }
   const Scene soft = wave_in_2d(surface, "pressure = \"hydrostatic\"\n", 0.02, "delta_sph");
   const Sample t = sample(soft);

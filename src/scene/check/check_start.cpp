@@ -32,7 +32,8 @@ template <int D> SurfaceReach surface_reach(const Scene& s, const Scene::Fluid& 
                 double y = 0;
                 function(at, 0, &y);
                 if (!reach.invalid)
-                  reach.invalid = not_finite({f.surface}, "fluid.surface", at, {}, &y, D);
+                  reach.invalid =
+                      not_finite({f.surface}, "fluid.surface", at, {}, &y, D == 2 ? 1 : 3);
                 reach.low = std::min(reach.low, y);
                 if (!(y > reach.high)) return;
                 reach.high = y;
@@ -61,7 +62,7 @@ bool check_surface(const Scene& s, const Scene::Fluid& f, const std::string& at,
 
 bool check_surface_height(const Scene& s, const Scene::Fluid& f, const std::string& at,
                           Findings& out) {
-  if (f.surface.empty()) return true;
+  if (f.surface.empty() || f.shape == Shape::lattice) return true;
   Scene::Fluid whole = f;
   whole.surface.clear();
   const Box box = box_around(s, whole);

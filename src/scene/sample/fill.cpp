@@ -18,9 +18,9 @@ constexpr double calm = 1.06;  // density over rest from which water beside a bo
 template <int D> struct Candidate {
   Vec<D> x;
   std::int64_t room;  ///< distance from the nearest surface in 1e-4 spacings
-  std::int64_t rank;  ///< those of the highest rank are added first
   std::size_t face;   ///< of the nearest wall
-  int side;           ///< axis and sign of the largest component of the normal there
+  /// Axis and sign of the largest component of the normal there; the column below a free surface
+  std::int64_t side;
 };
 
 template <int D> class Filling {
@@ -77,7 +77,7 @@ template <int D> class Filling {
       if (std::abs(component(normal, k)) > std::abs(component(normal, axis))) axis = k;
     return 2 * axis + (component(normal, axis) < 0);
   }
-  /// All candidates, side by side, those of the highest rank first.
+  /// All candidates, side by side, those with the most room first.
   std::vector<Candidate<D>> candidates() const {
     std::vector<Candidate<D>> all;
     std::optional<Vec<D>> first;
@@ -89,26 +89,24 @@ template <int D> class Filling {
       if (!near || places_.is_barred(x) || (places_.in_shape(x) && !places_.in_wall(x)))
         return true;
       const std::size_t face = nearest_wall(at);
-      const std::int64_t space = std::llround(1e4 * room / spacing_);
-      const std::int64_t rank =
-          space + (faces_[face].is_free() ? std::llround(1e4 * offset_of(x - *first)) : 0);
-      all.push_back({x, space, rank, face, side_of(faces_[face].normal(at))});
+      const std::int64_t side =
+          faces_[face].is_free() ? column_of(x - *first) : side_of(faces_[face].normal(at));
+      all.push_back({x, std::llround(1e4 * room / spacing_), face, side});
       return true;
     });
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-      return std::tuple(a.face, a.side, -a.rank) < std::tuple(b.face, b.side, -b.rank);
+      return std::tuple(a.face, a.side, -a.room) < std::tuple(b.face, b.side, -b.room);
     });
     return all;
   }
-  /// An offset of the column at x from the corner of the lattice, within half a spacing [spacings].
-  /// It differs between columns nearby, so that any few of them have the volume below a free
-  /// surface that is almost level [ordered dithering, by the sequences of Roberts 2018].
-  double offset_of(Vec<D> x) const {
-    constexpr double golden = 0.6180339887498949, plastic = 0.7548776662466927;
-    const double m = std::round(double(x.x) / spacing_);
-    const double n = D == 3 ? std::round(double(component(x, D - 1)) / spacing_) : 0;
-    const double steps = D == 3 ? m * plastic + n * plastic * plastic : m * golden;
-    return steps - std::floor(steps) - 0.5;
+  /// The number of the lattice's column that is at x from its corner; columns side by side follow
+  /// each other. choose() passes the rounding of one on to the next, so that any few of them have
+  /// the volume below a free surface that is almost level.
+  std::int64_t column_of(Vec<D> x) const {
+    constexpr std::int64_t row = 1 << 30;
+    const std::int64_t m = std::llround(double(x.x) / spacing_),
+                       n = D == 3 ? std::llround(double(component(x, D - 1)) / spacing_) : 0;
+    return n * row + (n % 2 ? row - 1 - m : m);
   }
   std::size_t nearest_wall(Vec<D, double> x) const {
     std::size_t best = 0;
@@ -121,12 +119,12 @@ template <int D> class Filling {
         }
     return best;
   }
-  /// Appends `count` candidates of one side, the first ones. Of those with the rank of the last
+  /// Appends `count` candidates of one side, the first ones. Of those with the room of the last
   /// one, it takes every so many.
   static void append(std::vector<Candidate<D>>& to, const std::vector<Candidate<D>>& side,
                      std::size_t count) {
     if (count == 0) return;
-    const auto less = [](const auto& a, const auto& b) { return a.rank > b.rank; };
+    const auto less = [](const auto& a, const auto& b) { return a.room > b.room; };
     const auto same = std::equal_range(side.begin(), side.end(), side[count - 1], less);
     to.insert(to.end(), side.begin(), same.first);
     const auto size = std::size_t(same.second - same.first),
