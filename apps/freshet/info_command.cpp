@@ -13,6 +13,7 @@
 #include "machine.h"
 #include "print.h"
 #include "progress.h"
+#include "volume_row.h"
 
 namespace freshet::cli {
 namespace {
@@ -120,13 +121,6 @@ std::string particles_row(const Derived& d) {
   return text;
 }
 
-std::string fluid_row(const Scene& s, const DerivedFluid& f) {
-  const std::string unit = raised_unit(units_in(s.dimension()).volume);
-  return fmt::format(
-      "{:.4g} {} filled{}", f.filled, unit,
-      f.asked ? fmt::format(" of {:.4g} {} ({:+.1f} %)", *f.asked, unit, 100 * f.error()) : "");
-}
-
 std::string inlet_row(const Scene& s, const DerivedInlet& in) {
   return fmt::format(
       "{}: {:.4g} {} at {:.4g} m/s, {:.0f} particles a layer, {:.4g} layers a second", in.name,
@@ -178,8 +172,7 @@ void info(const SceneArguments& a) {
   row("dimension", fmt::format("{}D", s.dimension()));
   row("particles", particles_row(d));
   for (std::size_t k = 0; k < d.fluids.size(); ++k)
-    row(d.fluids.size() == 1 ? "volume" : fmt::format("volume of fluid[{}]", k).c_str(),
-        fluid_row(s, d.fluids[k]));
+    row(volume_name(d, k).c_str(), volume_row(s, d.fluids[k]));
   for (const DerivedInlet& in : d.inlets) row("inlet", inlet_row(s, in));
   row("method", solver_row(s));
   row("spacing", fmt::format("{:g} m", d.spacing));

@@ -5,6 +5,7 @@
 #include "command.h"
 #include "freshet/scene_documents.h"
 #include "print.h"
+#include "volume_row.h"
 
 namespace freshet::cli {
 namespace {
@@ -33,6 +34,9 @@ void add_check(Program& program) {
               warnings.empty() ? "a good scene"
                                : fmt::format("valid, with {} warning{}", warnings.size(),
                                              warnings.size() == 1 ? "" : "s"));
+    const Derived d = derive(scene);
+    for (std::size_t k = 0; k < d.fluids.size(); ++k)
+      print_out("  {}: {}\n", volume_name(d, k), volume_row(scene, d.fluids[k]));
     return done;
   });
 }

@@ -92,7 +92,9 @@ struct Scene {
     // points and polygon: *.ply, *.vtp or *.csv; mesh: *.stl, *.obj or *.ply
     std::string file;
     std::vector<Vector> points;  // polygon: corners, in either direction
-    double scale = 1;            // mesh, polygon: metres per unit of the file
+    // polygon: the corners are a line, and a horizontal base at this height closes it [m]
+    std::optional<double> base;
+    double scale = 1;  // mesh, polygon: metres per unit of the file
     // box: about its centre; mesh, polygon: about the origin, after scaling [degrees]. In 2D one
     // number, in 3D about x, then y, then z. None if empty
     Vector rotation;
@@ -102,6 +104,16 @@ struct Scene {
   struct Fluid : Region {
     Vector velocity;                          // at rest if empty
     std::vector<std::string> velocity_field;  // [m/s], replaces velocity: functions of x, y and z
+    std::string pressure_field;               // [Pa], replaces pressure: a function of x, y and z
+    // Height of the free surface [m]: a function of x, in 3D of x and z. The fluid is the part of
+    // the shape below it. No surface if empty
+    std::string surface;
+    // Starts from a frame of another run: its folder, or one of its data files. The defaults set
+    // `shape` to points and `file` to the data file.
+    std::string from_run;
+    std::optional<double> time;          // of the frame [s]; the last frame if neither is set
+    std::optional<std::int64_t> frame;   // its number
+    std::optional<std::int64_t> liquid;  // which of the run's liquids; required if it has several
     double rest_density = 1000;
     double viscosity = 0.001;
     std::string color;  // "#rrggbb", for color_by = "liquid"; a default palette if empty

@@ -2,10 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/check/findings.h"
+#include "scene/check/check_start.h"
 #include "scene/keys/keys.h"
 #include "scene/model/background.h"
-#include "scene/model/expressions.h"
 #include "scene/sample/places.h"
 
 namespace freshet {
@@ -37,7 +36,7 @@ std::pair<Vector, Vector> reach_of(const Scene& s, const Scene::Fluid& f) {
     const Lattice lattice = lattice_of(s, f);
     return {lattice.from, lattice.last(s.particles.spacing)};
   }
-  const std::vector<double> x = region_points(f, s.dimension()).x;
+  const std::vector<double> x = points_of(f, s.dimension()).x;
   const auto n = std::size_t(s.dimension());
   Vector low(x.begin(), x.begin() + s.dimension()), high = low;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -55,7 +54,7 @@ const char* key_of_end(const Scene::Fluid& f, bool lower) {
     case Shape::lattice:
       return lower ? "from" : "count";
     case Shape::points:
-      return "file";
+      return f.from_run.empty() ? "file" : "from_run";
     case Shape::mesh:
     case Shape::polygon:
       return "translation";
@@ -112,40 +111,11 @@ void check_liquids(const Scene& s, Findings& out) {
         "and the fluids differ in it; choose \"antuono2010\"");
 }
 
-void check_velocity_field(const Scene& s, const Scene::Fluid& f, const std::string& at,
-                          Findings& out) {
-  if (f.velocity_field.empty()) return;
-  if (f.velocity_field.size() != std::size_t(s.dimension()))
-    return out.error(at + "velocity_field",
-                     fmt::format("fluid.velocity_field has {} functions, and the domain is in {}D; "
-                                 "it must have {}, one per axis",
-                                 f.velocity_field.size(), s.dimension(), s.dimension()));
-  if (const auto fault = fault_in(f.velocity_field))
-    out.error(at + "velocity_field", "fluid.velocity_field " + *fault);
-  else if (Expressions(f.velocity_field).depends_on_time())
-    out.error(
-        at + "velocity_field",
-        fmt::format("fluid.velocity_field depends on t, and it is evaluated at the start only; "
-                    "make it a function of {}",
-                    s.dimension() == 3 ? "x, y and z" : "x and y"));
-  else out.unused(at + "velocity", "fluid.velocity", "fluid.velocity_field sets it; remove one");
-}
-
 void check_color(const Scene::Fluid& f, const std::string& at, Findings& out) {
   if (f.color.empty() || (f.color[0] == '#' && background_color(f.color))) return;
   out.error(at + "color", fmt::format("fluid.color is \"{}\", not a colour; write it as #rrggbb, "
                                       "such as \"#3070c0\"",
                                       f.color));
-}
-
-void check_pressure(const Scene::Fluid& f, const std::string& at, Findings& out) {
-  if (f.pressure != StartPressure::hydrostatic) return;
-  if (is_block(f) || (f.shape == Shape::plane && f.side == Side::inside)) return;
-  out.error(at + "pressure",
-            fmt::format("fluid.pressure is \"hydrostatic\", and the shape is \"{}\"; only a box, a "
-                        "lattice or the inside of a plane can be hydrostatic; choose one, or "
-                        "\"zero\"",
-                        is_turned_box(f) ? "box, turned" : shape_words[int(f.shape)]));
 }
 
 template <int D> bool is_empty(const Scene& s, const Scene::Fluid& f) {
@@ -157,11 +127,14 @@ template <int D> bool is_empty(const Scene& s, const Scene::Fluid& f) {
 /// The number of places of the fluid; empty if it is invalid, so that other checks must skip it.
 std::optional<double> check_shape(const Scene& s, const Scene::Fluid& f, const std::string& at,
                                   Findings& out) {
-  if (!check_region(s, {f, at, "fluid"}, out)) return {};
+  const bool of_run = !f.from_run.empty();
+  if (!of_run && (!check_surface(s, f, at, out) || !check_region(s, {f, at, "fluid"}, out)))
+    return {};
+  if (f.shape != Shape::points && !check_surface_height(s, f, at, out)) return {};
   if (f.shape != Shape::points)
     return check_not_empty(s, f, at, out) ? std::optional(lattice_of(s, f).particles())
                                           : std::nullopt;
-  const auto cloud = check_points(s, {f, at, "fluid"}, out);
+  const auto cloud = of_run ? check_run(s, f, at, out) : check_points(s, {f, at, "fluid"}, out);
   if (!cloud) return {};
   if (!cloud->v.empty())
     out.unused(at + "velocity", "fluid.velocity", "the file has velocities; remove it");
@@ -184,7 +157,8 @@ FluidCount check_fluids(const Scene& s, Findings& out) {
     check_same_liquid(s, k, out);
     check_color(f, at, out);
     check_velocity_field(s, f, at, out);
-    check_pressure(f, at, out);
+    check_pressure(s, f, at, out);
+    if (f.from_run.empty()) check_no_run(at, out);
     const std::optional<double> places = check_shape(s, f, at, out);
     if (!places) continue;
     count.places += *places;

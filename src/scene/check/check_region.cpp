@@ -11,9 +11,9 @@
 namespace freshet {
 namespace {
 
-constexpr const char* all_keys[] = {"min",    "max",    "from",     "count",       "center",
-                                    "radius", "length", "axis",     "point",       "normal",
-                                    "file",   "scale",  "rotation", "translation", "points"};
+constexpr const char* all_keys[] = {
+    "min",   "max",    "from", "count", "center",   "radius",      "length", "axis",
+    "point", "normal", "file", "scale", "rotation", "translation", "points", "base"};
 
 /// The keys that each shape requires.
 std::vector<std::string> needed_keys(Shape shape) {
@@ -41,7 +41,8 @@ std::vector<std::string> needed_keys(Shape shape) {
 std::vector<std::string> further_keys(Shape shape) {
   if (shape == Shape::cylinder) return {"axis"};
   if (shape == Shape::mesh || shape == Shape::points) return {"scale", "rotation", "translation"};
-  if (shape == Shape::polygon) return {"points", "file", "scale", "rotation", "translation"};
+  if (shape == Shape::polygon)
+    return {"points", "file", "base", "scale", "rotation", "translation"};
   if (shape == Shape::box) return {"rotation"};
   return {};
 }

@@ -24,7 +24,9 @@ class PointWarnings {
 
   std::vector<Diagnostic> list() {
     for (std::size_t k = 0; k < s_.fluid.size(); ++k)
-      if (s_.fluid[k].shape == Shape::points) fluid(s_.fluid[k], fmt::format("fluid[{}].file", k));
+      if (const Scene::Fluid& f = s_.fluid[k]; !f.from_run.empty())
+        excluded_points(f, points_of(f, s_.dimension()), fmt::format("fluid[{}].from_run", k));
+      else if (f.shape == Shape::points) fluid(f, fmt::format("fluid[{}].file", k));
     for (std::size_t k = 0; k < s_.wall.size(); ++k)
       if (s_.wall[k].shape == Shape::points) wall(s_.wall[k], fmt::format("wall[{}].file", k));
     return std::move(list_);
@@ -41,6 +43,9 @@ class PointWarnings {
                             "velocities",
                             f.file, listed_names(cloud.unused)));
     spacing(f, cloud, key, true);
+    excluded_points(f, cloud, key);
+  }
+  void excluded_points(const Scene::Fluid& f, const PointCloud& cloud, const std::string& key) {
     const std::int64_t count = s_.dimension() == 2 ? excluded<2>(s_, f) : excluded<3>(s_, f);
     if (count > 0)
       warn(key, fmt::format("{} of the {} points of {} are inside walls, bodies or zones of inlets "

@@ -11,6 +11,7 @@
 #include "scene/check/point_warnings.h"
 #include "scene/check/pressure_warnings.h"
 #include "scene/check/probe_warnings.h"
+#include "scene/check/volume_warnings.h"
 #include "scene/model/loaded_mesh.h"
 #include "scene/model/setup.h"
 #include "scene/sample/places.h"
@@ -27,7 +28,7 @@ class Warnings {
   std::vector<Diagnostic> list() {
     lattice();
     room();
-    for (std::size_t k = 0; k < s_.fluid.size(); ++k) volume(k);
+    for (Diagnostic& d : volume_warnings(s_, d_)) list_.push_back(std::move(d));
     periodic();
     step();
     rounding();
@@ -86,19 +87,6 @@ class Warnings {
            fmt::format("at rest density the fluid takes {:.4g} {}, and the domain has "
                        "{:.4g} {}; it will be compressed",
                        needed, unit, volume, unit));
-  }
-  /// Reports a fluid whose particles have another volume than its shape. The lattice of a small
-  /// round shape is off by up to 2 % anyway.
-  void volume(std::size_t k) {
-    const DerivedFluid& f = d_.fluids[k];
-    if (std::abs(f.error()) <= (is_block(s_.fluid[k]) ? 0.01 : 0.02)) return;
-    const std::string unit = raised_unit(units_in(s_.dimension()).volume);
-    warn("particles.spacing",
-         fmt::format("the particles of fluid[{}] fill {:.4g} {}, {:.1f} % {} than the {:.4g} {} of "
-                     "its shape without walls and bodies: the lattice does not fit the shape; make "
-                     "its sides whole numbers of spacings, or the spacing smaller",
-                     k, f.filled, unit, 100 * std::abs(f.error()), f.error() < 0 ? "less" : "more",
-                     *f.asked, unit));
   }
   void periodic() {
     for (int k = 0; k < s_.dimension(); ++k) {

@@ -52,6 +52,12 @@ void file_keys(KeyVisitor& v, Scene::Region& r) {
                      "`file`",
              .fallback = "none"});
   v.number(
+      "base", r.base,
+      {.unit = "m",
+       .text = "height of a horizontal base that closes the corners of a polygon, so that they "
+               "may be an open line such as a sea bed",
+       .fallback = "none"});
+  v.number(
       "scale", r.scale,
       {.unit = "m",
        .text = "length of one unit of a mesh, polygon or file of points: 0.001 for millimetres",
@@ -86,6 +92,33 @@ void fluid_keys(KeyVisitor& v, Scene::Fluid& f) {
             .text = "number of particles of a lattice along x, y and z",
             .min = 1,
             .fallback = "none"});
+  v.text("surface", f.surface,
+         {.unit = "m",
+          .text = "height of the free surface as a function of x, in 3D of x and z, such as "
+                  "`\"0.3 + 0.02*cos(2*pi*x/1.36)\"`; the fluid is the part of the shape below it, "
+                  "of the domain if `min` and `max` of a box are not set",
+          .fallback = "none"});
+  v.text("from_run", f.from_run,
+         {.unit = "",
+          .text = "folder of a run, or one of its data files, relative to the scene: the fluid "
+                  "starts as it was there",
+          .fallback = "none"});
+  v.number("time", f.time,
+           {.unit = "s",
+            .text = "time in the run of `from_run`; there must be a data file at this time",
+            .min = 0,
+            .fallback = "that of the last data file"});
+  v.integer("frame", f.frame,
+            {.unit = "",
+             .text = "number of a data file of the run instead: 12 is data/frame_0012.vtp",
+             .min = 0,
+             .fallback = "the last"});
+  v.integer("liquid", f.liquid,
+            {.unit = "",
+             .text = "which liquid of the run this fluid takes, counted from 0 in the order of its "
+                     "fluids; required if the run has several",
+             .min = 0,
+             .fallback = "the only one"});
   v.vector("velocity", f.velocity,
            {.unit = "m/s", .text = "initial velocity", .fallback = "at rest"});
   v.texts("velocity_field", f.velocity_field,
@@ -108,7 +141,13 @@ void fluid_keys(KeyVisitor& v, Scene::Fluid& f) {
   v.choice("pressure", f.pressure, pressure_words,
            {.unit = "",
             .text = "initial pressure: `zero`, or `hydrostatic` from the weight of the fluid above "
-                    "(box, lattice and plane)"});
+                    "(box, lattice and plane; a box below `surface`, too)"});
+  v.text("pressure_field", f.pressure_field,
+         {.unit = "Pa",
+          .text = "initial pressure as a function instead, of x, y, z [m], such as "
+                  "`\"9810*(0.3 - y)\"`; not with `mueller2003`, `wcsph` and `pbf`, whose pressure "
+                  "follows from the positions",
+          .fallback = "none"});
   v.choice("outside", f.outside, outside_words,
            {.unit = "",
             .text = "particles that start outside the domain: `error`, or `clamp` (the first step "
@@ -198,9 +237,9 @@ void visit_keys(KeyVisitor& v, Scene& s) {
   v.section(
       "domain", R"(The box that holds the fluid.
 
-The functions of a scene (`body_force`, `fluid.velocity_field`, `body.position`,
-`body.angle`) know pi, + - * / ^, sin, cos, tan, exp, sqrt, abs, min, max and more. `(t
-< 1 ? 2 : 0)` is 2 before t = 1 s, then 0.)",
+The functions of a scene (`body_force`, `fluid.surface`, `fluid.velocity_field`,
+`fluid.pressure_field`, `body.position`, `body.angle`) know pi, + - * / ^, sin, cos,
+tan, cosh, exp, sqrt, abs, min, max and more. `(t < 1 ? 2 : 0)` is 2 before t = 1 s, then 0.)",
       [&] {
         v.vector("min", s.domain.min,
                  {.unit = "m", .text = "lower corner", .fallback = "the origin"});
@@ -259,13 +298,17 @@ are excluded. Where a wall or body cuts the places of a shape, as many excluded 
 added again as fill its volume up to the surface, and the places near it are spread evenly.
 In a scene with bodies, fewer are added where they would start more than 6 % too dense.
 The places of a `lattice` stay as they are. The points of a file are excluded only inside
-walls. `info` prints the volume of the particles and that of the shape without walls and
-bodies. `check` warns if they differ by more than 1 %, or 2 % for a round shape or a mesh.
+walls. `check` and `info` print the volume of the particles and that of the shape without
+walls and bodies. `check` warns if they differ by more than 1 %, 2 % for a round shape or
+a mesh, or 0.1 % for a box that the lattice does not divide.
 
 The positions of a file, and its velocities if it has them, become particles. The first
 line of a `*.csv` names the columns x, y, z, vx, vy, vz. Files of other programs have
 an array such as `velocity`, `Vel` or `U`. docs/data_files.md lists formats and names.
-`check` warns of columns and arrays that are not used.)",
+`check` warns of columns and arrays that are not used.
+
+`surface` cuts a shape by a free surface. `from_run` starts from the state of another run.
+docs/initial_states.md has examples of both.)",
            s.fluid, [&](Scene::Fluid& f) { fluid_keys(v, f); });
   v.tables("wall", R"(An obstacle or a tank: `[wall]` for one, `[[wall]]` for several.
 

@@ -91,7 +91,10 @@ void find_files(Scene& scene, const std::string& name) {
   const auto find = [&](Scene::Region& r) {
     if (!r.file.empty()) r.file = (folder / r.file).lexically_normal().string();
   };
-  for (Scene::Fluid& f : scene.fluid) find(f);
+  for (Scene::Fluid& f : scene.fluid) {
+    find(f);
+    if (!f.from_run.empty()) f.from_run = (folder / f.from_run).lexically_normal().string();
+  }
   for (Scene::Wall& w : scene.wall) find(w);
   for (Scene::Body& b : scene.body) {
     find(b);

@@ -36,7 +36,10 @@ std::string array_difference(const toml::array& a, const toml::array& b, const s
 
 /// Whether a key may differ between a scene and its copy in a run folder.
 bool names_a_file_or_backend(const std::string& key) {
-  return key == "solver.backend" || key.ends_with(".file") || key.ends_with(".path");
+  const bool of_fluid = key.starts_with("fluid");  // the copy names the data file itself
+  return key == "solver.backend" || key.ends_with(".file") || key.ends_with(".path") ||
+         (of_fluid &&
+          (key.ends_with(".from_run") || key.ends_with(".time") || key.ends_with(".frame")));
 }
 
 /// The key, or the first one in it, where two values differ. A missing value is null.

@@ -19,14 +19,15 @@ namespace freshet {
 
 std::optional<std::string> not_finite(const std::vector<std::string>& functions,
                                       const std::string& key, const double (&x)[3],
-                                      std::optional<double> t, const double* values) {
-  const std::size_t n = functions.size();
+                                      std::optional<double> t, const double* values,
+                                      int dimension) {
+  const std::size_t n = functions.size(), axes = dimension > 0 ? std::size_t(dimension) : n;
   const auto finite = [](double a) { return std::isfinite(Real(a)); };
-  if (!std::all_of(x, x + n, finite)) return {};
+  if (!std::all_of(x, x + axes, finite)) return {};
   const double* bad = std::find_if_not(values, values + n, finite);
   if (bad == values + n) return {};
   return fmt::format("{} is {} at ({:.4g}){} in {}; fix the function", key,
-                     std::isnan(*bad) ? "NaN" : "infinite", fmt::join(x, x + n, ", "),
+                     std::isnan(*bad) ? "NaN" : "infinite", fmt::join(x, x + axes, ", "),
                      t ? fmt::format(", {:.6g} s,", *t) : "",
                      quoted_formula(functions[std::size_t(bad - values)]));
 }
@@ -38,11 +39,11 @@ struct Expressions::Parsers {
   std::vector<mu::Parser> all;
   bool depends_on_place = false, depends_on_time = false;
 
-  explicit Parsers(const std::vector<std::string>& functions) : all(functions.size()) {
-    static constexpr const char* axes[] = {"x", "y", "z"};
+  Parsers(const std::vector<std::string>& functions, std::string_view variables)
+      : all(functions.size()) {
     for (std::size_t k = 0; k < all.size(); ++k) {
-      for (std::size_t j = 0; j < all.size(); ++j) all[k].DefineVar(axes[j], &x[j]);
-      all[k].DefineVar("t", &t);
+      for (const char name : variables)
+        all[k].DefineVar(std::string(1, name), name == 't' ? &t : &x[name - 'x']);
       all[k].DefineConst("pi", std::numbers::pi);
       all[k].SetExpr(functions[k]);
     }
@@ -55,12 +56,32 @@ struct Expressions::Parsers {
   }
 };
 
+namespace {
+
+std::string_view variables_of(const std::vector<std::string>& functions,
+                              std::string_view variables) {
+  static constexpr std::string_view of_axes[] = {"t", "xt", "xyt", "xyzt"};
+  return variables.empty() ? of_axes[std::min<std::size_t>(functions.size(), 3)] : variables;
+}
+
+/// "xyt" as "x, y and t"
+std::string listed(std::string_view variables) {
+  std::string list(variables.substr(0, 1));
+  for (std::size_t k = 1; k < variables.size(); ++k)
+    list += (k + 1 == variables.size() ? " and " : ", ") + std::string(1, variables[k]);
+  return list;
+}
+
+}  // namespace
+
 bool reads_expressions() { return true; }
 
-std::optional<std::string> fault_in(const std::vector<std::string>& functions) {
+std::optional<std::string> fault_in(const std::vector<std::string>& functions,
+                                    std::string_view variables) {
+  variables = variables_of(functions, variables);
   for (const std::string& function : functions)
     if (const std::string why = formula_error(function); !why.empty()) return why;
-  Expressions::Parsers parsers(functions);
+  Expressions::Parsers parsers(functions, variables);
   for (std::size_t k = 0; k < functions.size(); ++k) try {
       int values = 0;
       parsers.all[k].Eval(values);
@@ -69,16 +90,15 @@ std::optional<std::string> fault_in(const std::vector<std::string>& functions) {
       std::string why = e.GetMsg();
       why.erase(why.find_last_not_of(" .\n") + 1);
       return fmt::format(
-          "has an error in {}: {}; write a function of {} and t with numbers, pi, + - * / ^ "
-          "and functions such as sin, cos, exp, sqrt, min, max",
-          quoted_formula(functions[k]), shortened(why, 160),
-          functions.size() == 3 ? "x, y, z" : "x, y");
+          "has an error in {}: {}; write a function of {} with numbers, pi, + - * / ^ and "
+          "functions such as sin, cos, exp, sqrt, min, max",
+          quoted_formula(functions[k]), shortened(why, 160), listed(variables));
     }
   return {};
 }
 
-Expressions::Expressions(const std::vector<std::string>& functions)
-    : parsers_(std::make_unique<Parsers>(functions)) {
+Expressions::Expressions(const std::vector<std::string>& functions, std::string_view variables)
+    : parsers_(std::make_unique<Parsers>(functions, variables_of(functions, variables))) {
   parsers_->look();
 }
 bool Expressions::empty() const { return parsers_->all.empty(); }
@@ -96,12 +116,12 @@ struct Expressions::Parsers {};
 
 bool reads_expressions() { return false; }
 
-std::optional<std::string> fault_in(const std::vector<std::string>&) {
+std::optional<std::string> fault_in(const std::vector<std::string>&, std::string_view) {
   return "is a function, which needs muParser, and this Freshet was built without it; install "
          "libmuparser-dev and rebuild";
 }
 
-Expressions::Expressions(const std::vector<std::string>&) {}
+Expressions::Expressions(const std::vector<std::string>&, std::string_view) {}
 bool Expressions::empty() const { return true; }
 bool Expressions::depends_on_place() const { return false; }
 bool Expressions::depends_on_time() const { return false; }

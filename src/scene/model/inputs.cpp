@@ -22,7 +22,13 @@ Inputs inputs_of(const Scene& scene) {
     inputs.files.emplace_back(name, read_input(file));
     names.emplace_back(fmt::format("{}[{}].{}", table, k, key), name);
   };
-  for (std::size_t k = 0; k < scene.fluid.size(); ++k) add("fluid", k, scene.fluid[k].file);
+  for (std::size_t k = 0; k < scene.fluid.size(); ++k) {
+    const Scene::Fluid& f = scene.fluid[k];
+    add("fluid", k, f.file, f.from_run.empty() ? "file" : "from_run");
+    if (f.from_run.empty()) continue;
+    if (f.time) names.emplace_back(fmt::format("fluid[{}].time", k), std::nullopt);
+    if (f.frame) names.emplace_back(fmt::format("fluid[{}].frame", k), std::nullopt);
+  }
   for (std::size_t k = 0; k < scene.wall.size(); ++k) add("wall", k, scene.wall[k].file);
   for (std::size_t k = 0; k < scene.body.size(); ++k) {
     add("body", k, scene.body[k].file);

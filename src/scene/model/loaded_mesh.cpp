@@ -12,7 +12,8 @@ namespace {
 using Point = TriangleMesh::Point;
 
 MeshSource source_of(const Scene::Region& r, double fill_below) {
-  return {r.shape, r.file, r.points, r.scale, r.min, r.max, r.rotation, r.translation, fill_below};
+  return {r.shape, r.file, r.points,   r.base,        r.scale,
+          r.min,   r.max,  r.rotation, r.translation, fill_below};
 }
 
 TriangleMesh mesh_of_file(const Scene::Region& r) {
@@ -61,7 +62,7 @@ std::shared_ptr<const LoadedMesh> load_mesh(const Scene::Region& r, double fill_
     mesh = triangles_of_turned_box(r);
   } else {
     outline = outline_of(r);
-    if (const auto fault = fault_in(outline)) throw Error(Error::Kind::scene, r.file, *fault);
+    require_valid(outline, r);
     mesh = prism_of(outline);
   }
   return std::make_shared<LoadedMesh>(LoadedMesh{

@@ -13,6 +13,7 @@ struct MeshSource {
   Shape shape;
   std::string file;
   std::vector<Vector> points;
+  std::optional<double> base;
   double scale;
   Vector min, max, rotation, translation;
   double fill_below;  ///< holes narrower than this are filled [m]

@@ -47,17 +47,36 @@ Outline corners_of_disc(const Scene::Region& r) {
   return x;
 }
 
-Outline corners_of_polygon(const Scene::Region& r) {
+Outline corners_of_file(const PointCloud& cloud) {
   Outline x;
-  for (const Vector& p : r.points) x.push_back({p[0], p[1]});
-  if (!r.file.empty()) {
-    const std::vector<double> all = read_points(r.file, 2).x;
-    for (std::size_t k = 0; k + 1 < all.size(); k += 2) x.push_back({all[k], all[k + 1]});
-  }
-  if (x.size() > 1 && norm2(x.front() - x.back()) == 0) x.pop_back();  // written as a closed line
+  for (std::size_t k = 0; k + 1 < cloud.x.size(); k += 2) x.push_back({cloud.x[k], cloud.x[k + 1]});
+  return x;
+}
+
+/// Scaled, rotated and translated.
+Outline placed(Outline x, const Scene::Region& r) {
   const RegionRotation turn(r.rotation);
   const Corner translation = r.translation.empty() ? Corner{} : vec_of<2>(r.translation);
   for (Corner& p : x) p = turn(r.scale * p) + translation;
+  return x;
+}
+
+/// Closes a line by a horizontal base.
+void add_base(Outline& x, double base) {
+  if (x.empty()) return;
+  const Corner first = x.front(), last = x.back();
+  if (last.y != base) x.push_back({last.x, base});
+  if (first.y != base) x.push_back({first.x, base});
+}
+
+Outline corners_of_polygon(const Scene::Region& r) {
+  Outline x;
+  for (const Vector& p : r.points) x.push_back({p[0], p[1]});
+  if (!r.file.empty()) x = corners_of_file(read_points(r.file, 2));
+  if (!r.base && x.size() > 1 && norm2(x.front() - x.back()) == 0)
+    x.pop_back();  // written as a closed line
+  x = placed(std::move(x), r);
+  if (r.base) add_base(x, *r.base);
   return x;
 }
 
@@ -84,26 +103,49 @@ Outline outline_of(const Scene::Region& r) {
   return x;
 }
 
-std::optional<std::string> fault_in(const Outline& x) {
+std::optional<OutlineFault> fault_in(const Outline& x) {
   const std::size_t n = x.size();
-  if (n < 3) return fmt::format("has {} corner{}; write at least three", n, n == 1 ? "" : "s");
+  if (n < 3)
+    return OutlineFault{fmt::format("has {} corner{}; write at least three", n, n == 1 ? "" : "s")};
   if (n > most_corners)
-    return fmt::format("has {} corners; at most {} are allowed; remove some", n, most_corners);
+    return OutlineFault{
+        fmt::format("has {} corners; at most {} are allowed; remove some", n, most_corners)};
   for (std::size_t k = 0; k < n; ++k)
     if (norm2(x[k] - x[(k + 1) % n]) == 0)
-      return fmt::format("has the corner [{:g}, {:g}] twice in succession; remove one", x[k].x,
-                         x[k].y);
+      return OutlineFault{fmt::format("has the corner [{:g}, {:g}] twice in succession; remove one",
+                                      x[k].x, x[k].y),
+                          int((k + 1) % n)};
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t j = k + 2; j < n; ++j)
       if ((k > 0 || j + 1 < n) && meet(x[k], x[k + 1], x[j], x[(j + 1) % n]))
-        return fmt::format(
-            "crosses or touches itself: its sides from [{:g}, {:g}] to [{:g}, {:g}] and from "
-            "[{:g}, {:g}] to [{:g}, {:g}] meet; sort the corners along the outline",
-            x[k].x, x[k].y, x[k + 1].x, x[k + 1].y, x[j].x, x[j].y, x[(j + 1) % n].x,
-            x[(j + 1) % n].y);
+        return OutlineFault{
+            fmt::format(
+                "crosses or touches itself: its sides from [{:g}, {:g}] to [{:g}, {:g}] and from "
+                "[{:g}, {:g}] to [{:g}, {:g}] meet; sort the corners along the outline",
+                x[k].x, x[k].y, x[k + 1].x, x[k + 1].y, x[j].x, x[j].y, x[(j + 1) % n].x,
+                x[(j + 1) % n].y),
+            int(j)};
   if (!(signed_area(x) > 0))
-    return std::string("encloses no area; write corners that are not on one line");
+    return OutlineFault{"encloses no area; write corners that are not on one line"};
   return {};
+}
+
+void require_valid(const Outline& x, const Scene::Region& r) {
+  const auto fault = fault_in(x);
+  if (!fault) return;
+  std::string place = r.file, words = fault->words;
+  if (fault->corner >= 0 && !r.file.empty() && r.shape == Shape::polygon) {
+    const PointCloud cloud = read_points(r.file, 2);
+    const Outline corners = placed(corners_of_file(cloud), r);
+    const Corner at = x[std::size_t(fault->corner)];
+    for (std::size_t k = corners.size(); k-- > 0;)  // the last: a corner may be there twice
+      if (k < cloud.lines.size() && norm2(corners[k] - at) == 0) {
+        place += fmt::format(":{}", cloud.lines[k]);
+        words = "the polygon " + words;
+        break;
+      }
+  }
+  throw Error(Error::Kind::scene, place, words);
 }
 
 /// Counts the sides that a ray along x crosses.

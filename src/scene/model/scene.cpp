@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "scene/model/loaded_mesh.h"
+#include "scene/model/run_frame.h"
 #include "scene/model/setup.h"
 
 namespace freshet {
@@ -83,6 +84,12 @@ double artificial_viscosity(const Scene& s) {
 bool corrects_gradually(const Scene& s) {
   return s.method().reads("solver.density_correction") &&
          s.solver.density_correction.value_or(s.method().correction) == DensityCorrection::gradual;
+}
+
+bool evolves_density(const Scene& s) { return s.method().reads("solver.delta"); }
+
+bool keeps_start_pressure(const Scene& s) {
+  return evolves_density(s) || s.method().reads("solver.warm_start");
 }
 
 double density_tolerance(const Scene& s) {
@@ -166,6 +173,11 @@ Scene with_defaults(Scene s) {
   for (Scene::Fluid& f : s.fluid) {
     fill(f.velocity, 0);
     fill(f.axis, 1);
+    if (!f.surface.empty() && f.shape == Shape::box && f.min.empty() && f.max.empty()) {
+      f.min = s.domain.min;
+      f.max = s.domain.max;
+    }
+    find_run_frame(f);
   }
   for (Scene::Wall& w : s.wall) fill(w.axis, 1);
   for (Scene::Outlet& out : s.outlet) fill(out.axis, 1);

@@ -38,6 +38,11 @@ bool corrects_gradually(const Scene& scene);
 double divergence_tolerance(const Scene& scene);  ///< of the mean of dt |Drho/Dt|/rho0 in a step
 double density_tolerance(const Scene& scene);     ///< of the mean of max(0, rho/rho0 - 1)
 
+/// Whether a solver advances the density in time, so that its initial value matters.
+bool evolves_density(const Scene& scene);
+/// Whether the initial pressure of a fluid matters beside the positions of its particles.
+bool keeps_start_pressure(const Scene& scene);
+
 /// alpha of Monaghan's artificial viscosity: as set, else 0.05 if it is the only viscosity, else 0.
 double artificial_viscosity(const Scene& scene);
 

@@ -27,8 +27,9 @@ bool only_gravity_acts(const Scene& s) {
 
 /// A box from side to side that rests.
 bool is_level_layer(const Scene& s, const Scene::Fluid& f) {
-  if (f.shape != Shape::box || f.side != Side::inside || !is_at_rest(f.velocity) ||
-      !f.velocity_field.empty() || f.pressure != StartPressure::hydrostatic)
+  if (f.shape != Shape::box || f.side != Side::inside || !f.surface.empty() ||
+      !is_at_rest(f.velocity) || !f.velocity_field.empty() ||
+      f.pressure != StartPressure::hydrostatic)
     return false;
   for (std::size_t k = 0; k < f.min.size(); ++k)
     if (k != 1 && (f.min[k] > s.domain.min[k] + 0.5 * s.particles.spacing ||

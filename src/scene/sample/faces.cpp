@@ -76,6 +76,9 @@ template <int D> std::vector<Face<D>> faces_around(const Scene& s, const Scene::
   for (const Scene::Wall& w : s.wall)
     if (w.shape != Shape::points) faces.region(w, true, shifts);
   for (const Scene::Body& b : s.body) faces.region(b, true, shifts);
+  if (!f.surface.empty())
+    faces.all.emplace_back(RegionSurface<D>(FreeSurface(f.surface, D, s.particles.spacing)),
+                           Vec<D, double>{}, true);
   if (!is_block(f)) {
     faces.region(f, false);
     return std::move(faces.all);

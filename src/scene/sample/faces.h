@@ -4,14 +4,16 @@
 
 namespace freshet {
 
-/// A smooth surface that bounds a fluid: a side of the domain, a face of a wall or body, or a face
-/// of the fluid's own shape.
+/// A smooth surface that bounds a fluid: a side of the domain, a face of a wall or body, the free
+/// surface, or a face of the fluid's own shape.
 template <int D> class Face {
  public:
   Face(RegionSurface<D> surface, Vec<D, double> shift, bool of_wall)
       : surface_(std::move(surface)), shift_(shift), of_wall_(of_wall) {}
 
-  bool of_wall() const { return of_wall_; }  ///< rather than of the fluid's shape
+  /// Whether it is a wall's, a side's or the free surface, rather than the shape's.
+  bool of_wall() const { return of_wall_; }
+  bool is_free() const { return surface_.is_free(); }
   /// The distance of x [m], positive on the fluid's side.
   double distance(Vec<D, double> x) const { return surface_.distance(x + shift_); }
   /// The unit normal at the nearest point; it points towards the fluid.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "scene/sample/fluid_volume.h"
@@ -18,7 +19,8 @@ template <int D> struct Candidate {
   Vec<D> x;
   std::int64_t room;  ///< distance from the nearest surface in 1e-4 spacings
   std::size_t face;   ///< of the nearest wall
-  int side;           ///< axis and sign of the largest component of the normal there
+  /// Axis and sign of the largest component of the normal there; the column below a free surface
+  std::int64_t side;
 };
 
 template <int D> class Filling {
@@ -78,21 +80,33 @@ template <int D> class Filling {
   /// All candidates, side by side, those with the most room first.
   std::vector<Candidate<D>> candidates() const {
     std::vector<Candidate<D>> all;
+    std::optional<Vec<D>> first;
     places_.each_of_lattice([&](Vec<D> x, std::size_t) {
+      if (!first) first = x;
       const auto at = places_.in_scene(x);
       const double clearance = places_.clearance(at), room = std::min(clearance, places_.depth(at));
       const bool near = clearance < spacing_ / 2 && room > deepest * spacing_;
       if (!near || places_.is_barred(x) || (places_.in_shape(x) && !places_.in_wall(x)))
         return true;
       const std::size_t face = nearest_wall(at);
-      all.push_back(
-          {x, std::llround(1e4 * room / spacing_), face, side_of(faces_[face].normal(at))});
+      const std::int64_t side =
+          faces_[face].is_free() ? column_of(x - *first) : side_of(faces_[face].normal(at));
+      all.push_back({x, std::llround(1e4 * room / spacing_), face, side});
       return true;
     });
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
       return std::tuple(a.face, a.side, -a.room) < std::tuple(b.face, b.side, -b.room);
     });
     return all;
+  }
+  /// The number of the lattice's column that is at x from its corner; columns side by side follow
+  /// each other. choose() passes the rounding of one on to the next, so that any few of them have
+  /// the volume below a free surface that is almost level.
+  std::int64_t column_of(Vec<D> x) const {
+    constexpr std::int64_t row = 1 << 30;
+    const std::int64_t m = std::llround(double(x.x) / spacing_),
+                       n = D == 3 ? std::llround(double(component(x, D - 1)) / spacing_) : 0;
+    return n * row + (n % 2 ? row - 1 - m : m);
   }
   std::size_t nearest_wall(Vec<D, double> x) const {
     std::size_t best = 0;

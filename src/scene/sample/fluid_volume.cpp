@@ -28,18 +28,29 @@ Box room_of(const Scene& s, const Scene::Fluid& f) {
 
 /// Divides a box until its pieces are inside the fluid, outside, or small. The share of a small
 /// piece follows from the distance of its centre, so it is exact where a face is along an axis.
+/// Below a free surface, each column of the box is divided by itself.
 template <int D> class Measure {
  public:
   Measure(const Scene& s, const Scene::Fluid& f)
       : places_(s, f), box_(room_of(s, f)), spacing_(s.particles.spacing) {
+    if (!f.surface.empty()) top_.emplace(f.surface, D, spacing_);
     double longest = 0;
     for (std::size_t k = 0; k < D; ++k) longest = std::max(longest, box_.max[k] - box_.min[k]);
     smallest_ = std::max(spacing_ / 4, longest / 256);
   }
   double volume() const {
     const auto low = vec_of<D>(box_.min), high = vec_of<D>(box_.max);
-    return volume(0.5 * (low + high), 0.5 * (high - low)) -
-           double(places_.barred()) * std::pow(spacing_, D);
+    const double barred = double(places_.barred()) * std::pow(spacing_, D);
+    if (!top_) return volume(0.5 * (low + high), 0.5 * (high - low)) - barred;
+    double all = 0;
+    each_column(low, high, spacing_ / 4, [&](Point x, Point width) {
+      const double top = std::min(top_->height(x), high.y), height = top - low.y;
+      if (!(height > 0)) return;
+      x.y = low.y + height / 2;
+      width.y = height;
+      all += volume(x, 0.5 * width);
+    });
+    return all - barred;
   }
 
  private:
@@ -75,6 +86,7 @@ template <int D> class Measure {
 
   Places<D> places_;
   Box box_;
+  std::optional<FreeSurface> top_;
   double spacing_, smallest_;
 };
 

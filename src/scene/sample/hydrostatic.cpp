@@ -45,6 +45,13 @@ double HydrostaticColumn::height_above_bottom(double depth) const {
   return 7 / (6 * per_depth_) * (std::pow(q(height_), 6.0 / 7) - std::pow(q(depth), 6.0 / 7));
 }
 
+double compression_at(const Scene& s, double pressure) {
+  if (s.method().incompressible()) return 1;
+  const double share = pressure / (densest(s) * stiffness(s));
+  if (s.method().pressure == PressureFamily::linear) return 1 + share;
+  return 1 + 7 * share > 0 ? std::pow(1 + 7 * share, 1.0 / 7) : 0;
+}
+
 template <int D>
 Hydrostatic<D>::Hydrostatic(const Scene& s)
     : s_(s), down_(unit_of<D>(s.domain.gravity)), gravity_(norm(vec_of<D>(s.domain.gravity))) {
@@ -73,6 +80,7 @@ std::optional<typename Hydrostatic<D>::Layer> Hydrostatic<D>::layer_of(
     const Scene::Fluid& f) const {
   if (f.pressure != StartPressure::hydrostatic) return {};
   Layer layer{.top = INFINITY, .bottom = -INFINITY, .rest_density = f.rest_density};
+  if (!f.surface.empty()) layer.surface.emplace(f.surface, D, s_.particles.spacing);
   Places<D>(s_, f).each([&](Vec<D> place, std::size_t) {
     Vec<D, double> x = to_double(place);
     const double depth = dot(x, down_);
@@ -103,9 +111,21 @@ template <int D> bool Hydrostatic<D>::stands_on(const Layer& b, const Layer& a) 
 }
 
 template <int D>
-typename Hydrostatic<D>::State Hydrostatic<D>::settle(std::size_t k, Vec<D>& x) const {
+HydrostaticState Hydrostatic<D>::settle_below(const Layer& layer, Vec<D>& x) const {
+  const Triple origin = origin_of(s_);
+  Vec<D, double> at = to_double(x);
+  for (int d = 0; d < D; ++d) component(at, d) += origin[std::size_t(d)];
+  const double surface = layer.surface->height(at), bottom = origin[1] - layer.bottom;
+  const HydrostaticColumn column(s_, layer.rest_density, std::max(0.0, surface - bottom), 0);
+  const double depth = std::clamp(surface - at.y, 0.0, std::max(0.0, surface - bottom));
+  x.y -= Real(surface - bottom - depth - column.height_above_bottom(depth));
+  return {column.compression(depth), column.pressure(depth)};
+}
+
+template <int D> HydrostaticState Hydrostatic<D>::settle(std::size_t k, Vec<D>& x) const {
   if (!layers_[k]) return {};
   const Layer& layer = *layers_[k];
+  if (layer.surface) return settle_below(layer, x);
   const HydrostaticColumn& column = *layer.column;
   const double depth = std::clamp(dot(to_double(x), down_) - layer.top, 0.0, layer.height());
   const double sinks = layer.height() - depth - column.height_above_bottom(depth) + layer.sinks;

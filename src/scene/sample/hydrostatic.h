@@ -5,6 +5,7 @@
 
 #include "core/vec.h"
 #include "freshet/scene.h"
+#include "scene/model/free_surface.h"
 
 namespace freshet {
 
@@ -30,29 +31,36 @@ class HydrostaticColumn {
   double rest_density_, gravity_, height_, load_, load_depth_, per_depth_;
 };
 
+/// The density at a place, over the rest density, and the pressure [Pa].
+struct HydrostaticState {
+  double compression = 1, pressure = 0;
+};
+
+/// The density of a fluid at a pressure [Pa], over its rest density: 1 of the pressure solvers. Not
+/// above 0 if the pressure is so far below 0 that no density has it.
+double compression_at(const Scene& s, double pressure);
+
 /// The fluids that start hydrostatic, each with the weight of the fluids above it.
 template <int D> class Hydrostatic {
  public:
   explicit Hydrostatic(const Scene& s);
 
-  /// The density at a place, over the rest density, and the pressure [Pa].
-  struct State {
-    double compression = 1, pressure = 0;
-  };
   /// Moves x, a place of the k-th fluid, to the position of its layer at rest. The bottom of the
-  /// lowest fluid does not move.
-  State settle(std::size_t k, Vec<D>& x) const;
+  /// lowest fluid does not move. Below a free surface each column is at rest by itself.
+  HydrostaticState settle(std::size_t k, Vec<D>& x) const;
 
  private:
   struct Layer {
     Vec<D, double> low{}, high{};  ///< the box around the fluid
     double top, bottom;            ///< depths [m]
     double rest_density;
+    std::optional<FreeSurface> surface{};
     double load = 0;   ///< weight of the fluids above [Pa]
     double sinks = 0;  ///< displacement by the compression of the fluids below [m]
     std::optional<HydrostaticColumn> column{};
     double height() const { return bottom - top; }
   };
+  HydrostaticState settle_below(const Layer& layer, Vec<D>& x) const;
   std::optional<Layer> layer_of(const Scene::Fluid& f) const;
   /// Whether the bottom of b touches the top of a.
   bool stands_on(const Layer& b, const Layer& a) const;

@@ -36,9 +36,25 @@ std::vector<Vec<D>> vectors(const std::vector<double>& numbers, const Triple& or
   return all;
 }
 
-}  // namespace
+/// The maximum height of a free surface over a box.
+template <int D> double highest(const FreeSurface& top, const Box& box, double spacing) {
+  double most = -INFINITY;
+  each_column(vec_of<D>(box.min), vec_of<D>(box.max), spacing / 2,
+              [&](Vec<D, double> x, Vec<D, double>) { most = std::max(most, top.height(x)); });
+  return most;
+}
 
-Box box_around(const Scene& s, const Scene::Fluid& f) {
+/// Lowers the top of a box to a row above the free surface, so that few rows are empty.
+void cut(Box& box, const Scene& s, const Scene::Fluid& f) {
+  const double spacing = s.particles.spacing;
+  const FreeSurface top(f.surface, s.dimension(), spacing);
+  const double most =
+      s.dimension() == 2 ? highest<2>(top, box, spacing) : highest<3>(top, box, spacing);
+  const double rows = std::ceil((most - box.min[1]) / spacing + 0.5);
+  box.max[1] = std::clamp(box.min[1] + rows * spacing, box.min[1], box.max[1]);
+}
+
+Box box_of_shape(const Scene& s, const Scene::Fluid& f) {
   if (f.side == Side::outside) {
     if (f.shape != Shape::plane) return {s.domain.min, s.domain.max};
     Scene::Region turned = f;
@@ -64,6 +80,14 @@ Box box_around(const Scene& s, const Scene::Fluid& f) {
     box.min[k] -= reach;
     box.max[k] += reach;
   }
+  return box;
+}
+
+}  // namespace
+
+Box box_around(const Scene& s, const Scene::Fluid& f) {
+  Box box = box_of_shape(s, f);
+  if (!f.surface.empty()) cut(box, s, f);
   return box;
 }
 
@@ -106,6 +130,7 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
       high_(D, INFINITY),
       wall_points_(0.499 * spacing_) {
   if (!is_block(f) && f.shape != Shape::points) shape_.emplace(f, spacing_);
+  if (!f.surface.empty()) top_.emplace(f.surface, D, spacing_);
   const Triple origin = origin_of(s);
   for (int k = 0; k < D; ++k) component(origin_, k) = origin[std::size_t(k)];
   for (std::size_t k = 0; k < lattice_.from.size(); ++k) lattice_.from[k] -= origin[k];
@@ -130,13 +155,16 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
   for (const Scene::Inlet& in : s.inlet) zones_.emplace_back(s, in);
   for (const Scene::Body& b : s.body) add(b);
   if (f.shape != Shape::points) return;
-  const PointCloud cloud = region_points(f, D);
+  PointCloud cloud = points_of(f, D);
   points_ = vectors<D>(cloud.x, origin);
   velocities_ = vectors<D>(cloud.v);
+  densities_ = std::move(cloud.density);
+  pressures_ = std::move(cloud.pressure);
 }
 
 template <int D> double Places<D>::clearance(Vec<D, double> x) const {
   double least = wall_clearance(x);
+  if (top_) least = std::min(least, top_->distance(x));
   for (std::size_t k = 0; k < D; ++k) {
     const double at = component(x, int(k));
     least = std::min({least, at - low_[k], high_[k] - at});

@@ -15,8 +15,8 @@ namespace freshet {
 
 /// Whether a fluid fills its whole lattice.
 inline bool is_block(const Scene::Fluid& f) {
-  return f.shape == Shape::lattice ||
-         (f.shape == Shape::box && f.side == Side::inside && !is_turned_box(f));
+  return f.shape == Shape::lattice || (f.shape == Shape::box && f.side == Side::inside &&
+                                       f.surface.empty() && !is_turned_box(f));
 }
 
 /// Vectors from a place to its images beyond periodic ends; the first is 0.
@@ -38,7 +38,8 @@ template <int D> std::vector<Vec<D, double>> periodic_shifts(const Scene& s) {
 struct Box {
   Vector min, max;
 };
-/// The box that the lattice of a fluid is aligned to. Not for a lattice or points.
+/// The box that the lattice of a fluid is aligned to. Its top is a row above the free surface, if
+/// the fluid has one. Not for a lattice or points.
 Box box_around(const Scene& scene, const Scene::Fluid& fluid);
 
 /// Whether a fluid keeps half a spacing from a side of the domain.
@@ -77,7 +78,8 @@ template <int D> class Places {
   /// The distance of x from the shape's surface [m], positive inside; infinite if the fluid fills
   /// its whole lattice.
   double depth(Vec<D, double> x) const { return shape_ ? shape_->distance(x) : INFINITY; }
-  /// The distance of x from the nearest side, wall or body with an inside [m], negative inside.
+  /// The distance of x from the nearest side, wall or body with an inside, or from the free surface
+  /// [m], negative behind it. Particles keep half a spacing from the surface as from a wall.
   double clearance(Vec<D, double> x) const;
   /// The distance of x from the nearest wall or body with an inside [m], negative inside.
   double wall_clearance(Vec<D, double> x) const;
@@ -97,6 +99,9 @@ template <int D> class Places {
   bool in_wall(Vec<D> x) const { return clearance(in_scene(x)) < margin_ || is_barred(x); }
   /// The velocities of the points of a file; empty without them.
   const std::vector<Vec<D>>& velocities() const { return velocities_; }
+  /// The densities and pressures of a run's frame; empty without them.
+  const std::vector<double>& densities() const { return densities_; }
+  const std::vector<double>& pressures() const { return pressures_; }
   /// The position in the scene of a place [m].
   Vec<D, double> in_scene(Vec<D> x) const { return origin_ + to_double(x); }
   /// The place at a position in the scene [m].
@@ -120,7 +125,9 @@ template <int D> class Places {
   Vec<D, double> origin_{};
   Lattice lattice_;  // from: relative to the origin
   std::vector<Vec<D>> points_, velocities_;
-  std::optional<RegionSurface<D>> shape_;         // empty: every place is inside
+  std::vector<double> densities_, pressures_;
+  std::optional<RegionSurface<D>> shape_;  // empty: every place is inside
+  std::optional<FreeSurface> top_;
   std::vector<RegionSurface<D>> walls_, sheets_;  // and bodies
   std::vector<Vec<D, double>> shifts_;
   std::vector<InletZone<D>> zones_;  // of inlets

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "scene/model/free_surface.h"
 #include "scene/model/loaded_mesh.h"
 #include "scene/model/solid_of.h"
 
 namespace freshet {
 
-/// The surface of a region, except of points, of a scene with its defaults filled in. An open mesh
-/// is a sheet as thick as one spacing.
+/// The surface of a region, except of points, of a scene with its defaults filled in, or the free
+/// surface of a fluid. An open mesh is a sheet as thick as one spacing.
 template <int D> class RegionSurface {
  public:
   RegionSurface(const Scene::Region& region, double spacing) : sheet_(spacing) {
@@ -16,12 +17,16 @@ template <int D> class RegionSurface {
   }
   explicit RegionSurface(const Solid<D, double>& solid)
       : solid_(solid), sheet_(0), fluid_inside_(solid.fluid_inside) {}
+  explicit RegionSurface(const FreeSurface& top) : top_(top), sheet_(0), fluid_inside_(true) {}
 
   /// Whether this is a mesh with holes.
   bool is_sheet() const { return mesh_ && !mesh_->condition.closed(); }
 
+  /// Whether this is the free surface of a fluid.
+  bool is_free() const { return top_.has_value(); }
   /// The distance of x from the surface [m]: positive on the fluid's side, negative on the other.
   double distance(Vec<D, double> x) const {
+    if (top_) return top_->distance(x);
     if (!mesh_) return solid_.distance(x);
     if constexpr (D == 3) {
       if (!mesh_->condition.closed()) return mesh_->distance.nearest(x).distance - sheet_ / 2;
@@ -35,6 +40,7 @@ template <int D> class RegionSurface {
   /// The unit normal at the point of the surface nearest to x; it points towards the fluid. 0 if x
   /// is on a mesh.
   Vec<D, double> normal(Vec<D, double> x) const {
+    if (top_) return top_->normal(x);
     if (!mesh_) return solid_.normal(x);
     const auto away = x - nearest(x);
     const double length = norm(away);
@@ -53,6 +59,7 @@ template <int D> class RegionSurface {
   }
 
   Solid<D, double> solid_;
+  std::optional<FreeSurface> top_;
   std::shared_ptr<const LoadedMesh> mesh_;
   double sheet_;
   bool fluid_inside_;

@@ -15,6 +15,35 @@
 namespace freshet {
 namespace {
 
+/// The state of a fluid under fluid.pressure_field.
+class StartPressureField {
+ public:
+  StartPressureField(const Scene& s, const Scene::Fluid& f)
+      : s_(s),
+        functions_(f.pressure_field.empty() ? std::vector<std::string>()
+                                            : std::vector{f.pressure_field}),
+        function_(functions_, s.dimension() == 3 ? "xyz" : "xy") {}
+
+  /// At x. Throws Error at `place` if the pressure is invalid.
+  template <int D> HydrostaticState operator()(Vec<D, double> x, const std::string& place) {
+    double at[3] = {}, p = 0;
+    for (int k = 0; k < D; ++k) at[k] = component(x, k);
+    function_(at, 0, &p);
+    if (const auto error = not_finite(functions_, "fluid.pressure_field", at, {}, &p, D))
+      throw Error(Error::Kind::scene, place, *error);
+    if (const double compression = compression_at(s_, p); compression > 0) return {compression, p};
+    throw Error(Error::Kind::scene, place,
+                fmt::format("fluid.pressure_field is {:.4g} Pa, so far below 0 that no density has "
+                            "it; make it larger, or the speed of sound",
+                            p));
+  }
+
+ private:
+  const Scene& s_;
+  std::vector<std::string> functions_;
+  Expressions function_;
+};
+
 template <int D> class FluidSampler {
  public:
   explicit FluidSampler(const Scene& s)
@@ -25,7 +54,8 @@ template <int D> class FluidSampler {
         tells_pressure_(s.method().incompressible() &&
                         std::any_of(s.fluid.begin(), s.fluid.end(),
                                     [](const Scene::Fluid& f) {
-                                      return f.pressure == StartPressure::hydrostatic;
+                                      return f.pressure == StartPressure::hydrostatic ||
+                                             !f.pressure_field.empty() || !f.from_run.empty();
                                     })),
         several_liquids_(s.liquids().size() > 1),
         weight_(s) {}
@@ -36,8 +66,10 @@ template <int D> class FluidSampler {
     const Places<D> places(s_, f);
     const Vec<D> velocity = vec_of<D, Real>(f.velocity);
     std::vector<Vec<D>> x;
+    std::vector<std::size_t> point;  // of the file
     const std::int64_t left_out = places.each([&](Vec<D> place, std::size_t i) {
       x.push_back(place);
+      point.push_back(i);
       append(all.v, places.velocities().empty() ? velocity : places.velocities()[i]);
       return true;
     });
@@ -45,14 +77,21 @@ template <int D> class FluidSampler {
     all.left_out += left_out - added;
     for (std::int64_t k = 0; k < added; ++k) append(all.v, velocity);
     Expressions field(f.velocity_field), force(s_.domain.body_force);
+    StartPressureField pressure_field(s_, f);
     const std::string velocity_at = place_of(s_, fmt::format("fluid[{}].velocity_field", number)),
+                      pressure_at = place_of(s_, fmt::format("fluid[{}].pressure_field", number)),
                       force_at = place_of(s_, "domain.body_force");
     for (std::size_t i = 0; i < x.size(); ++i) {
       Vec<D>& a = x[i];
       shake(a);
-      const auto [compression, pressure] = weight_.settle(number, a);
-      all.density.push_back(Real(f.rest_density * compression));
-      if (tells_pressure_) all.pressure.push_back(Real(pressure));
+      auto state = weight_.settle(number, a);
+      if (!f.pressure_field.empty()) state = pressure_field(places.in_scene(a), pressure_at);
+      double density = f.rest_density * state.compression;
+      if (evolves_density(s_) && !places.densities().empty())
+        density = places.densities()[point[i]];
+      if (!places.pressures().empty()) state.pressure = places.pressures()[point[i]];
+      all.density.push_back(Real(density));
+      if (tells_pressure_) all.pressure.push_back(Real(state.pressure));
       all.outside += is_outside(places.in_scene(a));
       if (!field.empty()) {
         const auto v = values(field, f.velocity_field, {}, "fluid.velocity_field", velocity_at,
