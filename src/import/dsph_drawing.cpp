@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "import/dualsphysics.h"
 #include "mesh/triangle_mesh.h"
@@ -170,12 +170,11 @@ class DsphDrawing {
       scale.error("must be three equal numbers > 0; apply the scale to the file");
       return false;
     }
-    const double angles[] = {turn.number("angx", 0), turn.number("angy", 0),
-                             turn.number("angz", 0)};
-    const DrawPoint axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     own.scale = s.x;
-    for (int k = 0; k < 3; ++k)
-      own = DsphFrame::turned_by(from_dsph(axes[k]), angles[k] * degree, {}).of(own);
+    const std::tuple<const char*, DrawPoint> turns[] = {
+        {"angy", {0, 1, 0}}, {"angx", {1, 0, 0}}, {"angz", {0, 0, 1}}};  // right-handed, in order
+    for (const auto& [angle, axis] : turns)
+      own = DsphFrame::turned_by(from_dsph(axis), turn.number(angle, 0) * degree, {}).of(own);
     own = DsphFrame::moved(from_dsph(move.point())).of(own);
     shape.frame = frame_.of(own);
     if (c.boolean("autofill", false)) c.child("autofill").missing("a closed mesh is solid");
@@ -213,6 +212,7 @@ class DsphDrawing {
     return true;
   }
 
+  /// Turns about a line are left-handed, as JMatrix4 of DualSPHysics computes them.
   bool transform(const XmlElement& c) {
     const std::string& name = c.name();
     if (name == "matrixreset") frame_ = {};
@@ -225,13 +225,13 @@ class DsphDrawing {
     } else if (name == "move") frame_ = frame_.of(DsphFrame::moved(from_dsph(c.point())));
     else if (name == "rotate")
       frame_ =
-          frame_.of(DsphFrame::turned_by(from_dsph(c.point()), c.number("ang", 0) * degree, {}));
+          frame_.of(DsphFrame::turned_by(from_dsph(c.point()), -c.number("ang", 0) * degree, {}));
     else if (name == "rotateline") {
       const std::vector<XmlElement> line = c.children("point");
       if (line.size() != 2) c.error("needs two <point>; set both");
       else {
         const DrawPoint a = from_dsph(line[0].point()), b = from_dsph(line[1].point());
-        frame_ = frame_.of(DsphFrame::turned_by(b - a, c.number("ang", 0) * degree, a));
+        frame_ = frame_.of(DsphFrame::turned_by(a - b, c.number("ang", 0) * degree, a));
       }
     } else if (name == "scale") {
       const DrawPoint s = c.point({1, 1, 1});

@@ -25,9 +25,29 @@ std::map<long, Vec<3, double>> velocities_of(const XmlElement& initials) {
   return all;
 }
 
+constexpr std::size_t most_blocks = 900;
+
+/// The box around the places of a fluid, from which walls are taken.
+TomlTable whole_box(std::int16_t mark, const DsphLattice& lattice, const DsphWorld& world,
+                    const TomlTable& material) {
+  Bounds bounds;
+  const auto [nx, ny, nz] = lattice.counts();
+  for (long k = 0; k < nz; ++k)
+    for (long j = 0; j < ny; ++j)
+      for (long i = 0; i < nx; ++i)
+        if (lattice.at({i, j, k}) == mark) bounds.add(lattice.place({i, j, k}));
+  const double half = lattice.spacing() / 2;
+  TomlTable table;
+  table.set("min", bounds.low - Vec<3, double>{half, half, half}, world.dimension);
+  table.set("max", bounds.high + Vec<3, double>{half, half, half}, world.dimension);
+  table.add(material);
+  return table;
+}
+
 }  // namespace
 
-std::string write_dsph_fluids(const XmlElement& initials, DsphWorld& world) {
+std::string write_dsph_fluids(const XmlElement& initials, const XmlElement& geometry,
+                              const DsphWorld& world) {
   const std::map<long, Vec<3, double>> velocities = velocities_of(initials);
   const DsphLattice& lattice = *world.lattice;
   const auto [nx, ny, nz] = lattice.counts();
@@ -44,7 +64,16 @@ std::string write_dsph_fluids(const XmlElement& initials, DsphWorld& world) {
     if (world.hydrostatic) material.set("pressure", "hydrostatic");
     const auto velocity = velocities.find(mark - 1);
     if (velocity != velocities.end()) material.set("velocity", velocity->second, world.dimension);
-    for (const DsphLattice::Block& block : lattice.blocks(mark)) {
+    const std::vector<DsphLattice::Block> blocks = lattice.blocks(mark);
+    if (blocks.size() > most_blocks) {
+      geometry.child("definition")
+          .instead(fmt::format("the places of a fluid are {} boxes, too many for a scene; taken "
+                               "instead: the box around them, outside of walls",
+                               blocks.size()));
+      tables += whole_box(mark, lattice, world, material).item("fluid");
+      continue;
+    }
+    for (const DsphLattice::Block& block : blocks) {
       TomlTable table;
       table.set("shape", "lattice");
       table.set("from", lattice.place(block.first), world.dimension);

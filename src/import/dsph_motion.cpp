@@ -50,7 +50,7 @@ void read_axis(const XmlElement& move, DsphFrames& frames) {
   const MotionPoint a = from_dsph(move.child("axisp1").point()),
                     b = from_dsph(move.child("axisp2").point({0, 0, 1}));
   frames.pivot = a;
-  frames.axis = b - a;
+  frames.axis = a - b;  // its turns are left-handed about the way from axisp1 to axisp2
   frames.turns = true;
 }
 

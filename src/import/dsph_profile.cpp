@@ -17,20 +17,26 @@ Corner left_of(const Corner& a, const Corner& b) {
   return {-(b.y - a.y) / length, (b.x - a.x) / length, 0};
 }
 
-/// The points moved to the left by a distance. Sharp corners move by at most three times that.
-std::vector<Corner> moved_left(const std::vector<Corner>& p, double by, bool closed) {
+/// Where two lines meet that are moved to the left by `first` and `second`. Corners move by at most
+/// six times that.
+Corner meeting(const Corner& a, double first, const Corner& b, double second) {
+  const double c = a.x * b.x + a.y * b.y, square = 1 - c * c;
+  if (square < 1e-4) return (0.5 * (first + second)) * (c > 0 ? a : Corner{});
+  const Corner at = (1 / square) * ((first - second * c) * a + (second - first * c) * b);
+  const double most = 6 * std::max(std::abs(first), std::abs(second)), length = norm(at);
+  return length > most ? (most / length) * at : at;
+}
+
+/// The points with each side moved to the left by by(normal).
+template <class By>
+std::vector<Corner> moved_left(const std::vector<Corner>& p, By by, bool closed) {
   std::vector<Corner> out;
   const std::size_t n = p.size();
   for (std::size_t k = 0; k < n; ++k) {
     const bool first = k == 0 && !closed, last = k + 1 == n && !closed;
-    const Corner a = first ? left_of(p[0], p[1]) : left_of(p[(k + n - 1) % n], p[k]);
+    const Corner a = left_of(first ? p[k] : p[(k + n - 1) % n], first ? p[k + 1] : p[k]);
     const Corner b = last ? a : left_of(p[k], p[(k + 1) % n]);
-    const Corner sum = (first ? b : a) + b;
-    const double square = dot(sum, sum);
-    // A mitre has the length 2/|a + b|.
-    const double factor =
-        std::min(2 / std::max(square, 1e-9), 3 / std::sqrt(std::max(square, 1e-9)));
-    out.push_back(p[k] + (by * factor) * sum);
+    out.push_back(p[k] + meeting(a, by(a), b, by(b)));
   }
   return out;
 }
@@ -121,24 +127,32 @@ std::string polygon_of(const std::vector<Corner>& points) {
 
 std::vector<TomlTable> tables_of_profile(const DsphShape& s, const DsphWorld& world) {
   const bool closed = std::all_of(s.shown.begin(), s.shown.end(), [](bool b) { return b; });
-  const double half = world.dp / 2;
+  const double half = world.floating.contains(s.mk()) ? 0 : world.dp / 2;
+  // Places closer to a line than half a spacing times |nx| + |ny| are on it. A side along an axis
+  // has places on it, so the nearest others are a whole spacing away.
+  const auto surface_of = [&](const Corner& normal) {
+    const double sum = std::abs(normal.x) + std::abs(normal.y);
+    return sum < 1.001 ? half : half * (sum - 1);
+  };
   std::vector<TomlTable> tables;
   if (closed && world.flat() && !world.holds_fluid(s)) {
     std::vector<Corner> points = s.points;
     if (area_of(points) > 0) std::reverse(points.begin(), points.end());
     tables.emplace_back();
     tables.back().set("shape", "polygon");
-    tables.back().line("points", polygon_of(moved_left(points, half, true)));
+    tables.back().line("points", polygon_of(moved_left(points, surface_of, true)));
     return tables;
   }
   for (std::vector<Corner> row : rows_of(s)) {
     if (!fluid_is_left(row, world)) std::reverse(row.begin(), row.end());
-    const std::vector<Corner> surface = moved_left(row, half, false);
+    const std::vector<Corner> surface = moved_left(row, surface_of, false);
     if (!world.flat()) {
       for (const TomlTable& plate : plates_along(surface, s, world)) tables.push_back(plate);
       continue;
     }
-    std::vector<Corner> outline = surface, behind = moved_left(surface, -world.support, false);
+    std::vector<Corner> outline = surface,
+                        behind = moved_left(
+                            surface, [&](const Corner&) { return -world.support; }, false);
     outline.insert(outline.end(), behind.rbegin(), behind.rend());
     tables.emplace_back();
     tables.back().set("shape", "polygon");

@@ -31,15 +31,15 @@ class DsphParameters {
     return p ? p->integer("value", fallback) : fallback;
   }
   void instead(const std::string& key, const std::string& message) const {
-    if (const XmlElement* p = find(key)) p->instead(key + ": " + message);
+    if (const XmlElement* p = find(key)) p->instead(message);
   }
   void missing(const std::vector<const char*>& keys, const std::string& message) const {
     for (const char* key : keys)
-      if (const XmlElement* p = find(key)) p->missing(fmt::format("{}: {}", key, message));
+      if (const XmlElement* p = find(key)) p->missing(message);
   }
-  void skip(const std::vector<const char*>& keys) const {
+  void display(const std::vector<const char*>& keys) const {
     for (const char* key : keys)
-      if (const XmlElement* p = find(key)) p->skip();
+      if (const XmlElement* p = find(key)) p->display();
   }
 
  private:
@@ -63,14 +63,26 @@ double sound_of(const XmlElement& constants, const DsphWorld& world) {
   const double height = set_value(constants, "hswl").value_or(world.water_height());
   const double flow =
       set_value(constants, "speedsystem").value_or(std::sqrt(norm(world.gravity) * height));
+  if (const std::optional<double> b = set_value(constants, "b"))  // of the equation of state
+    return std::sqrt(*b * value_of(constants, "gamma", 7) / world.rest_density);
   return set_value(constants, "speedsound").value_or(value_of(constants, "coefsound", 20) * flow);
 }
 
-void read_dsph_viscosity(const DsphParameters& p, DsphWorld& world, TomlTable& solver) {
+void read_dsph_viscosity(const DsphParameters& p, double sound, DsphWorld& world,
+                         TomlTable& solver) {
   const double visco = p.number("Visco", 0.01);
   const long treatment = p.integer("ViscoTreatment", 1);
   if (treatment == 1) {
     solver.set("artificial_viscosity", visco);
+    return;
+  }
+  if (!world.moved.empty() || !world.floating.empty()) {  // bodies feel artificial viscosity only
+    const double alpha =
+        sound > 0 ? visco * 2 * (world.dimension + 2) / (world.support / 2 * sound) : 0;
+    solver.set("artificial_viscosity", alpha);
+    p.instead("ViscoTreatment", fmt::format("laminar, which bodies do not feel; taken instead: "
+                                            "artificial viscosity of the same strength, {:.3g}",
+                                            alpha));
     return;
   }
   solver.set("viscosity_method", "morris1997");
@@ -89,10 +101,11 @@ void read_dsph_solver(const DsphParameters& p, const XmlElement& constants, Dsph
       solver.set("density_diffusion", "antuono2010");
       p.instead("DensityDT", "Molteni & Colagrossi 2009; taken instead: antuono2010");
     } else solver.set("density_diffusion", "fourtakas2019");
-  } else p.skip({"DensityDTvalue"});
+  } else p.display({"DensityDTvalue"});
   solver.set("kernel", p.integer("Kernel", 2) == 1 ? "cubic_spline" : "wendland_c2");
-  if (const double sound = sound_of(constants, world); sound > 0) solver.set("sound_speed", sound);
-  read_dsph_viscosity(p, world, solver);
+  const double sound = sound_of(constants, world);
+  if (sound > 0) solver.set("sound_speed", sound);
+  read_dsph_viscosity(p, sound, world, solver);
   if (p.integer("Shifting", 0) > 0) {
     solver.set("shifting_method", "lind2012");
     p.instead("Shifting", "taken instead: lind2012 with its own coefficient");
@@ -103,11 +116,11 @@ void read_dsph_solver(const DsphParameters& p, const XmlElement& constants, Dsph
 }
 
 void skip_parameters(const DsphParameters& p) {
-  p.skip({"VerletSteps",     "ShiftCoef",      "ShiftTFS",      "ShiftAdvCoef", "ShiftAdvALE",
-          "ShiftAdvNCPress", "CoefDtMin",      "DtIni",         "DtMin",        "DtAllParticles",
-          "SavePosDouble",   "PosDouble",      "WrnPartsOut",   "PartsOutMax",  "MinFluidStop",
-          "TimeOutExtra",    "FtIgnoreRadius", "DtFixedFile",   "IncZ",         "NoPenetration",
-          "XPeriodicIncY",   "YPeriodicIncX",  "ZPeriodicIncX", "ZPeriodicIncY"});
+  p.display({"VerletSteps",     "ShiftCoef",      "ShiftTFS",      "ShiftAdvCoef", "ShiftAdvALE",
+             "ShiftAdvNCPress", "CoefDtMin",      "DtIni",         "DtMin",        "DtAllParticles",
+             "SavePosDouble",   "PosDouble",      "WrnPartsOut",   "PartsOutMax",  "MinFluidStop",
+             "TimeOutExtra",    "FtIgnoreRadius", "DtFixedFile",   "IncZ",         "NoPenetration",
+             "XPeriodicIncY",   "YPeriodicIncX",  "ZPeriodicIncX", "ZPeriodicIncY"});
   if (p.number("DtFixed", 0) > 0) p.instead("DtFixed", "taken instead: adaptive steps");
   p.missing({"RhopOutMin", "RhopOutMax"},
             "particles stay whatever their density; health checks warn of it");
@@ -156,7 +169,7 @@ void read_dsph_constants(const XmlElement& constants, DsphWorld& world) {
                               : value_of(constants, "coefh", 1) * root * world.dp;
   world.support = 2 * length;
   constants.child("cflnumber").missing("the time step has safety factors of its own");
-  for (const char* name : {"b", "massbound", "massfluid"})
+  for (const char* name : {"massbound", "massfluid"})
     if (set_value(constants, name))
       constants.child(name).missing("follows from the density, the spacing and the speed of sound");
     else constants.child(name).skip();

@@ -86,11 +86,16 @@ std::vector<TomlTable> plates_of(const DsphShape& s, const DsphWorld& world) {
   return plates;
 }
 
+/// A wall reaches half a spacing beyond its places. Free bodies, which may touch, do not.
+double grown_by(const DsphShape& s, const DsphWorld& world) {
+  return world.floating.contains(s.mk()) ? 0 : world.dp / 2;
+}
+
 std::vector<TomlTable> tables_of_box(const DsphShape& s, const DsphWorld& world) {
   const int sides = std::popcount(sides_in(s, world));
   const bool closed = s.solid || (sides >= world.dimension + 1 && !world.holds_fluid(s));
   if (!closed) return plates_of(s, world);
-  const double half = world.dp / 2 / s.frame.scale;
+  const double half = grown_by(s, world) / s.frame.scale;
   const WallPoint d{half, half, half};
   if (s.frame.turned()) return {turned_box(s.low - d, s.high + d, s.frame, world)};
   const Bounds box = snapped(s, world);
@@ -100,7 +105,7 @@ std::vector<TomlTable> tables_of_box(const DsphShape& s, const DsphWorld& world)
 std::vector<TomlTable> tables_of_round(const DsphShape& s, const DsphWorld& world) {
   TomlTable table;
   const bool holds = world.holds_fluid(s);
-  const double radius = s.radius + (holds ? -0.5 : 0.5) * world.dp;
+  const double half = grown_by(s, world), radius = s.radius + (holds ? -half : half);
   const WallPoint axis = s.high - s.low;
   if (s.kind == DsphShape::Kind::sphere || world.flat()) {
     table.set("shape", "sphere");
@@ -110,7 +115,7 @@ std::vector<TomlTable> tables_of_round(const DsphShape& s, const DsphWorld& worl
     table.set("shape", "cylinder");
     table.set("center", 0.5 * (s.low + s.high), 3);
     table.set("radius", radius);
-    table.set("length", norm(axis) + (holds ? -world.dp : world.dp));
+    table.set("length", norm(axis) + (holds ? -2 : 2) * half);
     table.set("axis", axis, 3);
   }
   if (holds) table.set("side", "inside");
@@ -167,6 +172,7 @@ void write_domain(const DsphShape* tank, Bounds room, const DsphWorld& world, Ds
     room.low = room.low - around;
     room.high = room.high + around;
   }
+  // The sides are opened one by one: bodies consist of the layers of walls.method.
   for (int k = 0; k < world.dimension; ++k) {
     WallPoint first = places.low, last = places.high;
     double &low = axis_in(room.low, k), &high = axis_in(room.high, k);
@@ -175,17 +181,15 @@ void write_domain(const DsphShape* tank, Bounds room, const DsphWorld& world, Ds
       high = axis_in(last, k) + half;
       continue;
     }
-    if (!tank) continue;
-    Bounds box = snapped(*tank, world);
     for (const bool upper : {false, true}) {
+      Bounds box = tank ? snapped(*tank, world) : room;
       const double face = axis_in(upper ? box.high : box.low, k);
-      const bool drawn = (sides_in(*tank, world) >> (2 * k + (upper ? 1 : 0)) & 1u) &&
+      const bool drawn = tank && (sides_in(*tank, world) >> (2 * k + (upper ? 1 : 0)) & 1u) &&
                          world.lattice->contains(k, world.lattice->nearest(k, face));
       if (drawn) (upper ? high : low) = upper ? face - half : face + half;
       else result.walls.set(fmt::format("{}_{}", "xyz"[k], upper ? "max" : "min"), "open");
     }
   }
-  if (!tank) result.walls.set("method", "open");
   result.domain.set("min", room.low, world.dimension);
   result.domain.set("max", room.high, world.dimension);
 }
@@ -196,13 +200,20 @@ DsphWalls write_dsph_walls(const Bounds& room, DsphWorld& world) {
   DsphWalls result;
   const DsphShape* tank = tank_of(world);
   const bool moves = tank && world.moved.contains(tank->mk());
-  write_domain(moves ? nullptr : tank, room, world, result);
+  Bounds around = room;
+  if (moves) {  // it may turn
+    const WallPoint size = room.size();
+    const double reach = 0.5 * std::max({size.x, size.y, world.flat() ? 0 : size.z});
+    around.low = room.low - WallPoint{reach, reach, reach};
+    around.high = room.high + WallPoint{reach, reach, reach};
+  }
+  write_domain(moves ? nullptr : tank, around, world, result);
   std::map<long, int> parts;
   for (const DsphShape& s : world.shapes) {
     if (&s == tank && !moves) continue;
     std::vector<TomlTable> tables;
     if (&s == tank) {
-      Bounds box = snapped(s, world);
+      const Bounds box = snapped(s, world);
       const double half = world.dp / 2;
       const WallPoint d{half, half, half};
       tables = {box_table({box.low + d, box.high - d}, world)};

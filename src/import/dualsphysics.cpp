@@ -41,11 +41,12 @@ ImportedScene import_dualsphysics(const std::string& xml, const fs::path& file,
   read_dsph_axes(parameters, world);
   read_dsph_bodies(definition, execution.child("special"), world);
   const DsphSettings settings = read_dsph_settings(constants, parameters, world);
-  const std::string fluids = write_dsph_fluids(definition.child("initials"), world);
+  const std::string fluids =
+      write_dsph_fluids(definition.child("initials"), definition.child("geometry"), world);
   DsphWalls walls = write_dsph_walls(dsph_room(parameters, world), world);
-  definition.child("mkconfig").skip();
-  execution.child("particles").skip();  // what GenCase adds
-  execution.child("constants").skip();
+  definition.child("mkconfig").display();
+  execution.child("particles").display();  // what GenCase adds
+  execution.child("constants").display();
   for (const char* attribute : {"app", "date"}) scene.text(attribute, "");
   definition.text("requiredversion", "");
   finish_xml(root, findings);

@@ -100,7 +100,8 @@ std::vector<TomlTable> tables_of_profile(const DsphShape& shape, const DsphWorld
 /// "[[x, y], ...]"
 std::string polygon_of(const std::vector<Vec<3, double>>& points);
 /// The tables [[fluid]].
-std::string write_dsph_fluids(const XmlElement& initials, DsphWorld& world);
+std::string write_dsph_fluids(const XmlElement& initials, const XmlElement& geometry,
+                              const DsphWorld& world);
 
 /// "motion", "floatings" and "wavepaddles": which mk moves.
 void read_dsph_bodies(const XmlElement& definition, const XmlElement& special, DsphWorld& world);

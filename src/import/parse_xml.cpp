@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <pugixml.hpp>
 
@@ -47,7 +48,10 @@ XmlNode xml_node(const pugi::xml_node& from, const std::string& path, int depth,
   for (const pugi::xml_node& child : from.children()) {
     if (!is_on(child)) continue;
     std::string below = path_below(path, child.name());
-    if (counts[child.name()] > 1) below = path_below(below, seen[child.name()]++);
+    // <parameter key="Visco" value="0.1" /> is parameter[Visco]
+    if (const char* key = child.attribute("key").value(); *key != 0)
+      below += fmt::format("[{}]", key);
+    else if (counts[child.name()] > 1) below = path_below(below, seen[child.name()]++);
     node.children.push_back(xml_node(child, below, depth + 1, xml, file));
   }
   return node;

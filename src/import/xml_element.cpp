@@ -162,7 +162,7 @@ void XmlElement::missing(const std::string& message) const {
 }
 
 void XmlElement::display() const {
-  note(ImportNote::Kind::display, "only for the files of DualSPHysics");
+  note(ImportNote::Kind::display, "only for the files, the steps and the drawing of DualSPHysics");
 }
 
 void XmlElement::skip() const {
@@ -174,13 +174,9 @@ void finish_xml(const XmlNode& node, ImportFindings& findings) {
     findings.note(ImportNote::Kind::missing, node.path, "has no counterpart");
     return;
   }
-  std::string key;  // of <parameter key="..." value="..." />
-  for (const XmlAttribute& a : node.attributes)
-    if (a.name == "key") key = a.value + " ";
   for (const XmlAttribute& a : node.attributes)
     if (!a.used && !remarks.contains(a.name))
-      findings.note(ImportNote::Kind::missing, path_below(node.path, a.name),
-                    key + "has no counterpart");
+      findings.note(ImportNote::Kind::missing, path_below(node.path, a.name), "has no counterpart");
   for (const XmlNode& child : node.children) finish_xml(child, findings);
 }
 

@@ -42,7 +42,7 @@ const std::map<std::string, std::set<std::string>> arrows{
       "BulletDynamics"}},
     {"render", {"api", "boundary", "cairo", "core", "fmt", "mesh", "scene", "spng.h", "surface"}},
     {"surface", {"api", "backend/cpu/threads.h", "core", "fmt", "meshoptimizer.h"}},
-    {"import", {"api", "core", "fmt", "mesh", "nlohmann", "scene"}},
+    {"import", {"api", "core", "fmt", "mesh", "nlohmann", "pugixml.hpp", "scene"}},
     {"io",
      {"api", "core", "render", "surface", "formats", "fmt", "nlohmann", "hdf5.h", "commit.h",
       "gif_lib.h", "webp"}},

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// Scenes of SPlisHSPlasH on the command line.
+/// Scenes of other programs on the command line.
 #include <gtest/gtest.h>
 
 #include "cli/files.h"
 #include "cli/process.h"
+#include "import/dualsphysics_cases.h"
 #include "import/import_scenes.h"
 
 namespace freshet::test {
@@ -63,6 +64,25 @@ TEST(ImportCommand, EventsOfARunHaveTheNotes) {
   EXPECT_EQ(r.code, 0) << r.err;
   EXPECT_TRUE(contains(r.out, R"({"event":"note","place":")")) << r.out;
   EXPECT_TRUE(contains(r.out, R"("key":"Configuration.simulationMethod")")) << r.out;
+}
+
+TEST(ImportCommand, TakesCasesOfDualSPHysics) {
+  const CaseFolder folder;
+  const std::string xml = folder.file().string(), toml = (folder / "dam.toml").string();
+  const auto r = freshet({"import", "dualsphysics", xml, "-o", toml});
+  EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_EQ(r.out, "wrote " + toml + "\n");
+  EXPECT_EQ(freshet({"check", xml}).code, 0);
+  EXPECT_EQ(freshet({"info", xml}).code, 0);
+  std::vector<std::string> digests;
+  for (const std::string& scene : {xml, toml}) {
+    const fs::path output = folder / (scene == xml ? "a" : "b");
+    const auto run =
+        freshet({"run", scene, "--output", output.string(), "--quiet", "--threads", "1"});
+    EXPECT_EQ(run.code, 0) << run.err;
+    digests.push_back(Json::parse(read_text(output / "report.json"))["state_sha256"]);
+  }
+  EXPECT_EQ(digests[0], digests[1]);
 }
 
 }  // namespace
