@@ -9,7 +9,6 @@
 #include "boundary/wall_sets.h"
 #include "core/fluid_particles.h"
 #include "engine/engine_backend.h"
-#include "engine/engine_backend.h"
 
 namespace freshet {
 inline namespace FRESHET_ISA {

@@ -41,7 +41,8 @@ class FromRun : public ::testing::Test {
     write_text(folder / "checked.toml", text);
     return freshet({"check", (folder / "checked.toml").string()});
   }
-  void run_first(const std::string& fluid = first_column, const std::string& solver = "delta_sph") const {
+  void run_first(const std::string& fluid = first_column,
+                 const std::string& solver = "delta_sph") const {
     const ProcessResult r = run("first", scene_of(fluid, solver));
     ASSERT_EQ(r.code, 0) << r.err;
   }

@@ -32,10 +32,11 @@ PointCloud read_points(const std::filesystem::path& file, int dimension);
 PointCloud read_state(const std::filesystem::path& file, int dimension);
 
 /// The points that a fluid of shape `points` starts with: those of its file, or the state of a run,
-/// of which Scene::Fluid::liquid selects some. They are placed as region_points() does. Throws Error as read_points does.
+/// of which Scene::Fluid::liquid selects some. They are placed as region_points() does. Throws
+/// Error as read_points does.
 PointCloud points_of(const Scene::Fluid& fluid, int dimension);
-/// Reads the points of a region's file, then scales, rotates and translates them as the region says.
-/// Velocities are rotated. Throws as read_points does.
+/// Reads the points of a region's file, then scales, rotates and translates them as the region
+/// says. Velocities are rotated. Throws as read_points does.
 PointCloud region_points(const Scene::Region& region, int dimension);
 
 /// Reads points from the bytes of a file. The extension of `file` selects the format; messages name
