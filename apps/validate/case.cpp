@@ -148,6 +148,15 @@ void check_solvers(CaseReader& in, const toml::table& table,
               fmt::format("unknown solver {}; the solvers are {}", name, fmt::join(solvers, ", ")));
 }
 
+/// How often a run is repeated: `repeats`, or the usual number.
+int repeats_in(CaseReader& in, const toml::table& table, int usual) {
+  const auto repeats = in.number("repeats");
+  if (!repeats) return usual;
+  if (!(*repeats >= 1 && *repeats <= 99 && *repeats == std::floor(*repeats)))
+    in.fail(table, "repeats must be a whole number from 1 to 99");
+  return int(*repeats);
+}
+
 /// spacings, time steps, or values of what `vary` names: what the runs of a case differ by.
 std::vector<double> resolutions_in(CaseReader& in) {
   std::vector<double> all;
@@ -200,11 +209,7 @@ ValidationCase read_validation_case(const fs::path& folder) {
   check_solvers(in, root, c.solvers);
   if (c.solvers.empty()) in.fail(root, "solvers must list at least one solver");
   read_resolutions(c, in, root);
-  if (const auto repeats = in.number("repeats")) {
-    if (!(*repeats >= 1 && *repeats <= 99 && *repeats == std::floor(*repeats)))
-      in.fail(root, "repeats must be a whole number from 1 to 99");
-    c.repeats = int(*repeats);
-  }
+  c.repeats = repeats_in(in, root, 1);
   if (const toml::table* set = in.table("set"))
     for (const auto& [solver, keys] : *set) {
       if (!keys.is_table()) in.fail(keys, "write [set.all] or [set.SOLVER], with keys below it");
@@ -215,7 +220,8 @@ ValidationCase read_validation_case(const fs::path& folder) {
     }
   if (const toml::table* shorter = in.table("short")) {
     CaseReader s(*shorter, file);
-    c.short_form = {s.texts("solvers"), resolutions_in(s), s.number("end"), s.text("cost")};
+    c.short_form = {s.texts("solvers"), resolutions_in(s), s.number("end"), s.text("cost"),
+                    repeats_in(s, *shorter, c.repeats)};
     check_solvers(s, *shorter, c.short_form->solvers);
     s.finish();
   }

@@ -248,7 +248,9 @@ std::vector<ValidationRun> run_repeat(const CaseSeries& s, int repeat,
 
 std::vector<ValidationRun> run_series(const CaseSeries& s, const ValidateOptions& options) {
   std::vector<std::vector<ValidationRun>> repeats;  // by resolution
-  for (int k = 0; k < options.repeats.value_or(s.the_case->repeats); ++k) {
+  const auto shorter = short_form_of(*s.the_case, options);
+  const int usual = shorter ? shorter->repeats : s.the_case->repeats;
+  for (int k = 0; k < options.repeats.value_or(usual); ++k) {
     auto runs = run_repeat(s, k, options);
     repeats.resize(std::max(repeats.size(), runs.size()));
     for (std::size_t r = 0; r < runs.size(); ++r) repeats[r].push_back(std::move(runs[r]));

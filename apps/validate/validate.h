@@ -63,6 +63,7 @@ struct ValidationCase {
     std::vector<double> resolutions;
     std::optional<double> end;  ///< time.end of a shorter run [s]
     std::string cost;           ///< measured cost, as text
+    int repeats = 1;
   };
   std::optional<Short> short_form;
 
