@@ -16,7 +16,7 @@ double axis_of(const ShapePoint& p, int k) { return k == 0 ? p.x : k == 1 ? p.y 
 /// A box in its own coordinates: its inside, or the sides that are drawn.
 bool is_in_box(const DsphShape& s, const ShapePoint& q, double beyond) {
   for (int k = 0; k < 3; ++k)
-    if (axis_of(q, k) < axis_of(s.low, k) - beyond || axis_of(q, k) >= axis_of(s.high, k) + beyond)
+    if (axis_of(q, k) <= axis_of(s.low, k) - beyond || axis_of(q, k) > axis_of(s.high, k) + beyond)
       return false;
   return true;
 }
@@ -24,8 +24,8 @@ bool is_in_box(const DsphShape& s, const ShapePoint& q, double beyond) {
 bool is_on_sides(const DsphShape& s, const ShapePoint& q, double half) {
   for (int k = 0; k < 3; ++k) {
     const double x = axis_of(q, k), low = axis_of(s.low, k), high = axis_of(s.high, k);
-    if ((s.sides >> (2 * k) & 1u) && x >= low - half && x < low + half) return true;
-    if ((s.sides >> (2 * k + 1) & 1u) && x >= high - half && x < high + half) return true;
+    if ((s.sides >> (2 * k) & 1u) && x > low - half && x <= low + half) return true;
+    if ((s.sides >> (2 * k + 1) & 1u) && x > high - half && x <= high + half) return true;
   }
   return false;
 }
@@ -135,12 +135,13 @@ void mark_dsph_shape(const DsphShape& s, DsphWorld& world) {
     return;
   }
   DsphLattice& lattice = *world.lattice;
-  const double half = world.dp / 2 * (1 - 1e-6), round = 1e-6 * world.dp;
+  const double half = world.dp / 2, round = 1e-6 * world.dp;
   lattice.each_in(bounds_of_shape(s), [&](const DsphLattice::Index& i) {
     const ShapePoint p = lattice.place(i);
     bool drawn = false;
     if (s.kind == DsphShape::Kind::box) {
-      const ShapePoint q = s.frame.inverse(p);
+      // Half-way between two places the upper one is drawn, as in DsphLattice::nearest.
+      const ShapePoint q = s.frame.inverse(p) - round * ShapePoint{1, 1, 1};
       drawn = is_in_box(s, q, half) && (s.solid || is_on_sides(s, q, half));
     } else if (s.kind == DsphShape::Kind::profile) drawn = is_on_profile(s, p, world.dp / 2);
     else drawn = is_in_dsph_shape(s, p, round);

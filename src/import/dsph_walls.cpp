@@ -28,13 +28,25 @@ unsigned sides_in(const DsphShape& s, const DsphWorld& world) {
   return s.solid ? all_dsph_sides : s.sides & (world.flat() ? 15u : all_dsph_sides);
 }
 
-/// The box that holds the most fluid: its inside becomes the domain, or it is a body.
+/// Whether no fluid is beyond the sides of a box.
+bool holds_all_fluid(const DsphShape& s, const DsphWorld& world) {
+  Bounds box = snapped(s, world), water = world.lattice->extent(true);
+  for (int k = 0; k < world.dimension; ++k) {
+    const unsigned sides = sides_in(s, world) >> (2 * k);
+    if ((sides & 1u && axis_in(water.low, k) < axis_in(box.low, k) + world.dp / 2) ||
+        (sides & 2u && axis_in(water.high, k) > axis_in(box.high, k) - world.dp / 2))
+      return false;
+  }
+  return true;
+}
+
+/// The box that holds the fluid: its inside becomes the domain, or it is a body.
 const DsphShape* tank_of(const DsphWorld& world) {
   const DsphShape* tank = nullptr;
   double largest = 0;
   for (const DsphShape& s : world.shapes) {
     if (s.kind != DsphShape::Kind::box || s.solid || s.frame.turned() || !world.holds_fluid(s) ||
-        world.floating.contains(s.mk()))
+        !holds_all_fluid(s, world) || world.floating.contains(s.mk()))
       continue;
     const WallPoint size = s.high - s.low;
     if (const double volume = size.x * size.y * size.z; volume > largest) {

@@ -78,6 +78,17 @@ TEST(DualSphysics, FillingStopsAtBoundaries) {
   expect_near({1.075, 1.525}, s.wall[0].max);
 }
 
+TEST(DualSphysics, SidesHalfwayBetweenPlacesAreTight) {
+  // The floor at z = -0.025 and the side at x = -0.025 take the upper places.
+  const Scene s = CaseFolder(case_with(R"(<point x="0" y="-1" z="0" />
+            <size x="2" y="2" z="1.5" />)",
+                                       R"(<point x="-0.025" y="-1" z="-0.025" />
+            <size x="1.55" y="2" z="1.5" />)"))
+                      .scene();
+  EXPECT_EQ((Counts{10, 20}), s.fluid[0].count);
+  expect_near({0.025, 0.025}, s.domain.min);
+}
+
 TEST(DualSphysics, ListsRunAndMove) {
   std::string xml = case_with_commands(R"(<setmkbound mk="5" /><move x="1" y="0" z="0" />
       <move x="0" y="0" z="0.1" /><runlist name="post" times="3" />)");
