@@ -21,7 +21,7 @@ struct SolverSettings {
   std::optional<double> sound_speed;                  // wcsph, delta_sph
   std::optional<double> artificial_viscosity;         // wcsph, delta_sph
   std::optional<DensityDiffusion> density_diffusion;  // delta_sph
-  double delta = 0.1, acoustic_damping = 0.5;         // delta_sph
+  double delta = 0.1, acoustic_damping = 0;           // delta_sph
   double background_pressure = 0;                     // wcsph, delta_sph
   // The pressure solvers: pcisph, iisph, dfsph, pbf
   std::optional<double> density_tolerance;              // Derived has the default

@@ -123,7 +123,7 @@ struct EnginePlan {
   double acoustic_damping = 0;
   bool antuono2010 = false;  ///< diffusion of Antuono 2010, else of Fourtakas 2019
   double own_viscosity = 0;  ///< maximum kinematic viscosity that a pressure solver sums itself
-  double xsph = 0, xsph_time = 0;  ///< share, and the time in which [s]; 0: in a step
+  double xsph = 0, xsph_time = 0;  ///< share, and the time in which [s]; 0: ten steps
   double lattice_response = 0, lattice_stiffness = 0, surface_deficit = 0;  // lattice_sum.h
   bool warm_start = false, accelerated = false, gradual = false;
   Iterations density{}, divergence{};

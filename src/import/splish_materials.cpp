@@ -250,7 +250,8 @@ SplishMaterials read_splish_materials(std::vector<JsonObject> materials,
     JsonObject xsph = m.object("XSPH");
     forces.xsph = std::max(forces.xsph, xsph.number("xsph", 0, {.min = 0, .max = 1}));
     if (forces.xsph > 0)
-      xsph.instead("xsph", "solver.xsph keeps rotation, and counts per 0.25 sqrt(h/g), not per step");
+      xsph.instead("xsph",
+                   "solver.xsph keeps rotation, and counts per 0.25 sqrt(h/g), not per step");
     xsph.missing("xsphBoundary", "walls have no part in solver.xsph");
     xsph.finish();
     read_look(m, ids.size() == 1, result.picture);

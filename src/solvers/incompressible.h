@@ -29,7 +29,7 @@ template <int D> struct IncompressibleParameters {
   Real rho0;          ///< rest density [kg/m^3]
   Liquids liquids;
   Real most_nu;          ///< maximum kinematic viscosity [m^2/s]
-  Real xsph, xsph_time;  ///< share of XSPH, and the time in which [s]
+  Real xsph, xsph_time;  ///< share of XSPH, and the time in which [s]; 0: ten steps
   Real repulsion;        ///< K of the repulsive walls [m^2/s^2]
   Real response;         ///< of a particle in a resting lattice (pairs/density_and_response.h)
   Real stiffness;        ///< largest eigenvalue of the equations over their diagonal, in a lattice
@@ -55,6 +55,10 @@ template <int D> struct IncompressibleParameters {
   }
 
   Real eps_h2() const { return Real(0.01f) * h * h; }
+  /// XSPH's share per time [1/s].
+  Real xsph_rate(Real dt) const {
+    return xsph / (xsph_time > 0 ? max(dt, xsph_time) : Real(10) * dt);
+  }
   /// The relaxation factor of a Jacobi iteration: the paper's, but at most 1.6/stiffness. The
   /// iteration converges below 2/stiffness.
   Real relaxation(Real papers) const { return min(papers, Real(1.6f) / stiffness); }

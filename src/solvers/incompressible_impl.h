@@ -54,7 +54,7 @@ void Incompressible<D, B, Kernel>::push_without_pressure(B& backend, const BaseF
     f.v[i] += dt * f.a[i];
   };
   if (c.most_nu > 0 || c.xsph > 0 || w.monaghan2009.n > 0)
-    backend.sum_pairs("viscosity", f, over(f, fluid_friction(f, c.xsph / max(dt, c.xsph_time))),
+    backend.sum_pairs("viscosity", f, over(f, fluid_friction(f, c.xsph_rate(dt))),
                       over(w.akinci2012, akinci2012_friction(f, w.akinci2012)),
                       over(w.monaghan2009, monaghan2009_forces(f, w)), accelerate);
   else backend.for_each("viscosity", f, [=] FRESHET_LAMBDA(int i) { accelerate(i, Vec<D>{}); });

@@ -52,8 +52,8 @@ void pressure_keys(KeyVisitor& v, Scene::Solver& s) {
   v.number("xsph", s.xsph,
            {.unit = "",
             .text = "share of the velocity differences to the neighbours, along the lines between "
-                    "them, that is removed in the time 0.25 √(h/g), or in a step that is longer "
-                    "or without gravity; pressure solvers",
+                    "them, that is removed in the time 0.25 √(h/g), or in a step that is "
+                    "longer; without gravity in ten steps; pressure solvers",
             .min = 0,
             .max = 1});
 }

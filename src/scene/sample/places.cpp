@@ -163,8 +163,11 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
 }
 
 template <int D> double Places<D>::clearance(Vec<D, double> x) const {
+  return top_ ? std::min(side_clearance(x), top_->distance(x)) : side_clearance(x);
+}
+
+template <int D> double Places<D>::side_clearance(Vec<D, double> x) const {
   double least = wall_clearance(x);
-  if (top_) least = std::min(least, top_->distance(x));
   for (std::size_t k = 0; k < D; ++k) {
     const double at = component(x, int(k));
     least = std::min({least, at - low_[k], high_[k] - at});

@@ -51,13 +51,13 @@ template <int D> class Places {
   Places(const Scene& scene, const Scene::Fluid& fluid);
 
   /// Calls visit(x, i) for each place until it returns false; i is the index of a point of a file.
-  /// Returns the number of places that are excluded because of walls.
+  /// Returns the number of places that are excluded because of walls, but not by the free surface.
   template <class F> std::int64_t each(F visit) const {
     std::int64_t left_out = 0;
     each_of_lattice([&](Vec<D> x, std::size_t i) {
       if (!in_shape(x)) return true;
       if (!in_wall(x)) return bool(visit(x, i));
-      ++left_out;
+      left_out += side_clearance(in_scene(x)) < margin_ || is_barred(x);
       return true;
     });
     return left_out;
@@ -81,6 +81,8 @@ template <int D> class Places {
   /// The distance of x from the nearest side, wall or body with an inside, or from the free surface
   /// [m], negative behind it. Particles keep half a spacing from the surface as from a wall.
   double clearance(Vec<D, double> x) const;
+  /// As clearance(), without the free surface.
+  double side_clearance(Vec<D, double> x) const;
   /// The distance of x from the nearest wall or body with an inside [m], negative inside.
   double wall_clearance(Vec<D, double> x) const;
   /// Whether x is excluded by what has no inside: zones of inlets, walls of points and sheets.

@@ -73,8 +73,9 @@ template <int D> class FluidSampler {
       append(all.v, places.velocities().empty() ? velocity : places.velocities()[i]);
       return true;
     });
-    const std::int64_t added = left_out > 0 ? fill_to_walls(s_, f, places, x) : 0;
-    all.left_out += left_out - added;
+    const bool cut = left_out > 0 || !f.surface.empty();
+    const std::int64_t added = cut ? fill_to_walls(s_, f, places, x) : 0;
+    all.left_out += std::max<std::int64_t>(0, left_out - added);
     for (std::int64_t k = 0; k < added; ++k) append(all.v, velocity);
     Expressions field(f.velocity_field), force(s_.domain.body_force);
     StartPressureField pressure_field(s_, f);
