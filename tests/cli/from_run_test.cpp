@@ -16,10 +16,11 @@ namespace {
 std::string scene_of(const std::string& fluid, const std::string& solver = "delta_sph",
                      const std::string& more = "", double spacing = 0.05) {
   return fmt::format(
-      "[domain]\nmax = [1.0, 1.0]\n[particles]\nspacing = {}\n{}\n[solver]\nname = \"{}\"\n[time]\n"
+      "[domain]\nmax = [1.0, 1.0]\n[particles]\nspacing = {}\n{}\n[solver]\nname = "
+      "\"{}\"\n{}[time]\n"
       "end = 0.1\nstep = 0.0005\n[output]\nframe_every = 0.02\ncheckpoint_every_steps = 20\n"
       "[picture]\nwidth = 64\nheight = 64\n{}",
-      spacing, fluid, solver, more);
+      spacing, fluid, solver, solver == "delta_sph" ? "sound_speed = 40.0\n" : "", more);
 }
 
 constexpr const char* first_column = "[[fluid]]\nmin = [0.0, 0.0]\nmax = [0.4, 0.6]\n";
@@ -60,7 +61,9 @@ TEST_F(FromRun, StartsAsTheLastFrame) {
   EXPECT_EQ(start.time, 0);
   EXPECT_EQ(end.x, start.x);
   EXPECT_EQ(end.v, start.v);
-  EXPECT_EQ(end.density, start.density);
+  ASSERT_EQ(end.density.size(), start.density.size());
+  for (std::size_t i = 0; i < end.density.size(); ++i)  // the first frame has those after a step
+    EXPECT_NEAR(end.density[i], start.density[i], 0.1) << i;
   // the fluid goes on moving from there
   double fastest = 0;
   for (const float v : start.v) fastest = std::max(fastest, std::abs(double(v)));

@@ -67,7 +67,7 @@ void each_column(Vec<D, double> low, Vec<D, double> high, double widest, F visit
   for (int k = 0; k < D; ++k) {
     if (k == 1) continue;
     const double length = component(high, k) - component(low, k);
-    count[k] = std::max(1, int(std::min(length / widest + 1, D == 3 ? 2e3 : 1e6)));
+    count[k] = std::max(1, int(std::min(std::ceil(length / widest - 1e-9), D == 3 ? 2e3 : 1e6)));
     component(width, k) = length / count[k];
   }
   for (int n = 0; n < (D == 3 ? count[D - 1] : 1); ++n)
