@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scene/model/free_surface.h"
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 
 namespace freshet {
 
@@ -31,8 +31,7 @@ Vec<3, double> FreeSurface::upward(double x, double z) const {
 
 const FreeSurface::Column& FreeSurface::at(double x, double z, bool with_normal) const {
   const std::uint64_t hash =
-      (std::bit_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15u ^ std::bit_cast<std::uint64_t>(z)) *
-      0xC2B2AE3D27D4EB4Fu;
+      (std::hash<double>()(x) * 0x9E3779B97F4A7C15u ^ std::hash<double>()(z)) * 0xC2B2AE3D27D4EB4Fu;
   Column& column = (*known_)[(hash >> 32) % known_->size()];
   if (column.x != x || column.z != z) column = {x, z, height_at(x, z), {}};
   if (with_normal && column.up.y == 0) column.up = upward(x, z);
