@@ -59,7 +59,7 @@ export class Stage {
     this.view = await View.start(this.canvas);
   }
 
-  /** The answer to a request; 3D, pcisph, iisph and pbf load the larger module first. */
+  /** The answer to a request; 3D and most solvers load the larger module first. */
   async answerTo(request) {
     try {
       return await this.player.open(request);
