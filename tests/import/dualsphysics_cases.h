@@ -75,16 +75,7 @@ class CaseFolder : public TemporaryFolder {
   Scene scene() const { return parse_scene(import().toml, (*this / "scene.toml").string()); }
   /// The error message of importing it, without the folder; empty without an error.
   std::string refused() const {
-    try {
-      import();
-      return "";
-    } catch (const Error& e) {
-      std::string what = e.what();
-      const std::string folder = path().string() + "/";
-      for (std::size_t at; (at = what.find(folder)) != std::string::npos;)
-        what.erase(at, folder.size());
-      return what;
-    }
+    return refusal_of([&] { import(); }, path());
   }
 };
 

@@ -14,6 +14,21 @@
 
 namespace freshet::test {
 
+/// The message of the Error that `import` throws, without the folder; empty without an error.
+template <class Import>
+std::string refusal_of(const Import& import, const std::filesystem::path& in) {
+  try {
+    import();
+    return "";
+  } catch (const Error& e) {
+    std::string what = e.what();
+    const std::string folder = in.string() + "/";
+    for (std::size_t at; (at = what.find(folder)) != std::string::npos;)
+      what.erase(at, folder.size());
+    return what;
+  }
+}
+
 /// The PLY text of a mesh.
 inline std::string ply_text(const std::vector<Vector>& points,
                             const std::vector<std::vector<int>>& faces) {
@@ -83,16 +98,7 @@ class ImportFolder : public TemporaryFolder {
   Scene scene() const { return parse_scene(import().toml, (*this / "scene.toml").string()); }
   /// The error message of importing it, without the folder; empty without an error.
   std::string refused() const {
-    try {
-      import();
-      return "";
-    } catch (const Error& e) {
-      std::string what = e.what();
-      const std::string folder = path().string() + "/";
-      for (std::size_t at; (at = what.find(folder)) != std::string::npos;)
-        what.erase(at, folder.size());
-      return what;
-    }
+    return refusal_of([&] { import(); }, path());
   }
 };
 

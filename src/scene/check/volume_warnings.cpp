@@ -36,7 +36,8 @@ std::vector<UnfitSide> unfit_sides(const Scene& s, const Scene::Fluid& f) {
   return sides;
 }
 
-/// The spacing nearest to the scene's that divides all sides of a box; 0 if there is none near it.
+/// The spacing that divides all sides of a box and is nearest to the scene's spacing. Returns 0 if
+/// no such spacing is close to it.
 double dividing_spacing(const Scene& s, const Scene::Fluid& f) {
   const double spacing = s.particles.spacing, length = f.max[1] - f.min[1];
   const auto divides = [&](double other) {

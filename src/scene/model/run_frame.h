@@ -22,7 +22,8 @@ struct RunScene {
   std::optional<double> spacing;
   std::optional<int> dimension;
 };
-/// The scene of the run that a fluid starts from; without values if there is none.
+/// The scene of the run that a fluid starts from. Without a scene file in that run, the members are
+/// empty.
 RunScene run_scene_of(const Scene::Fluid& fluid);
 
 }  // namespace freshet

@@ -87,7 +87,7 @@ Box box_of_shape(const Scene& s, const Scene::Fluid& f) {
 
 Box box_around(const Scene& s, const Scene::Fluid& f) {
   Box box = box_of_shape(s, f);
-  if (!f.surface.empty()) cut(box, s, f);
+  if (!f.surface.empty() && f.shape != Shape::lattice) cut(box, s, f);
   return box;
 }
 
@@ -130,7 +130,7 @@ Places<D>::Places(const Scene& s, const Scene::Fluid& f)
       high_(D, INFINITY),
       wall_points_(0.499 * spacing_) {
   if (!is_block(f) && f.shape != Shape::points) shape_.emplace(f, spacing_);
-  if (!f.surface.empty()) top_.emplace(f.surface, D, spacing_);
+  if (!f.surface.empty() && f.shape != Shape::lattice) top_.emplace(f.surface, D, spacing_);
   const Triple origin = origin_of(s);
   for (int k = 0; k < D; ++k) component(origin_, k) = origin[std::size_t(k)];
   for (std::size_t k = 0; k < lattice_.from.size(); ++k) lattice_.from[k] -= origin[k];
