@@ -58,7 +58,7 @@ TEST(ImportCommand, CheckTakesAJsonScene) {
 }
 
 TEST(ImportCommand, EventsOfARunHaveTheNotes) {
-  const ImportFolder folder(dam_with(R"("simulationMethod": 4)", R"("simulationMethod": 6)"));
+  const ImportFolder folder(dam_with(R"("simulationMethod": 4)", R"("simulationMethod": 5)"));
   const auto r = freshet({"run", folder.file().string(), "--output", (folder / "run").string(),
                           "--log", "json", "--set", "time.end=0.005"});
   EXPECT_EQ(r.code, 0) << r.err;
