@@ -96,7 +96,7 @@ std::string tolerance_row(const Scene& s, const Derived& d) {
           ? fmt::format(", of divergence {} in a step", percent(d.divergence_tolerance))
           : "";
   return fmt::format("of density {}{}; {} to {} iterations a solve", percent(d.density_tolerance),
-                     divergence, s.solver.min_iterations, s.solver.max_iterations);
+                     divergence, s.solver.min_iterations.value_or(1), s.solver.max_iterations);
 }
 
 std::string sound_row(const Scene& s, const Derived& d) {

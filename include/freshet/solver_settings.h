@@ -27,7 +27,8 @@ struct SolverSettings {
   std::optional<double> density_tolerance;              // Derived has the default
   std::optional<double> divergence_tolerance;           // dfsph; Derived has the default
   std::optional<DensityCorrection> density_correction;  // pcisph, iisph, dfsph
-  std::int64_t min_iterations = 1, max_iterations = 100;
+  std::optional<std::int64_t> min_iterations;           // 1, or more in water almost at rest
+  std::int64_t max_iterations = 100;
   bool warm_start = true;                     // iisph, dfsph
   Iteration iteration = Iteration::nesterov;  // dfsph
   double xsph = 0.1;

@@ -124,6 +124,7 @@ IncompressibleParameters<D> parameters_of(const EnginePlan& p, IncompressiblePar
   c.gradual = p.gradual;
   c.density = p.density;
   c.divergence = p.divergence;
+  c.divergence_at_rest = p.divergence_at_rest;
   return c;
 }
 

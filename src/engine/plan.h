@@ -126,7 +126,7 @@ struct EnginePlan {
   double xsph = 0, xsph_time = 0;  ///< share, and the time in which [s]; 0: ten steps
   double lattice_response = 0, lattice_stiffness = 0, surface_deficit = 0;  // lattice_sum.h
   bool warm_start = false, accelerated = false, gradual = false;
-  Iterations density{}, divergence{};
+  Iterations density{}, divergence{}, divergence_at_rest{};
 
   // Domain
   Triple origin{};  ///< in the scene [m]

@@ -169,9 +169,11 @@ template <int D> void plan_pressure(const Scene& s, const Derived& d, EnginePlan
   p.accelerated = solver.iteration == Iteration::nesterov;
   p.gradual = corrects_gradually(s);
   p.surface_deficit = surface_deficit<D>(W, p.spacing, p.support);
-  const int least = int(solver.min_iterations), most = int(solver.max_iterations);
+  const int least = int(solver.min_iterations.value_or(1)), most = int(solver.max_iterations);
   p.density = {d.density_tolerance, least, most};
   p.divergence = {d.divergence_tolerance, least, most};
+  p.divergence_at_rest = {d.divergence_tolerance, solver.min_iterations ? least : std::min(4, most),
+                          most};
 }
 
 template <int D> void plan_forces(const Scene& s, const Derived& d, EnginePlan& p) {

@@ -66,9 +66,11 @@ struct Dfsph : Incompressible<D, B, Kernel> {
   std::array<Solve, 2> step_of_hu_and_adams(B& backend, const Fluid& fluid, const Walls<D>& w,
                                             Real dt) const {
     const auto f = fluid;
+    const bool at_rest = is_almost_at_rest(backend, f);
     this->push_without_pressure(backend, f, w, dt, c.gravity);
-    const Solve divergence = remove(backend, f, w, "divergence", f.k, c.divergence,
-                                    Excess{f.rho, c.rho0, dt, f.to_remove});
+    const Solve divergence =
+        remove(backend, f, w, "divergence", f.k, at_rest ? c.divergence_at_rest : c.divergence,
+               Excess{f.rho, c.rho0, dt, f.to_remove});
     const Real rho0 = c.rho0;
     backend.for_each("start", f, [=] FRESHET_LAMBDA(int i) {
       f.to_remove[i] = f.rho[i] - rho0;
@@ -98,6 +100,12 @@ struct Dfsph : Incompressible<D, B, Kernel> {
   };
 
   // The parts of a step: public for nvcc, which takes no lambdas from private functions.
+  /// Whether the root mean square of the speed is below 0.04 sqrt(g h). There a warm start is often
+  /// within the tolerance as it is; the pressures then follow the motion too late, and feed it.
+  bool is_almost_at_rest(B& backend, const Fluid& f) const {
+    const double v2 = backend.sum("start", f, [=] FRESHET_LAMBDA(int i) { return norm2(f.v[i]); });
+    return v2 < 0.0016 * double(norm(c.gravity)) * double(c.h) * f.n;
+  }
   /// Solves for pressures k that remove the excess, and changes v by them.
   Solve remove(B& backend, const Fluid& f, const Walls<D>& w, const char* name, Field<Real> k,
                const Iterations& limits, const Excess& excess) const {

@@ -39,6 +39,7 @@ template <int D> struct IncompressibleParameters {
   bool warm_start, accelerated;
   bool gradual;  ///< errors of the density are removed in many steps
   Iterations density, divergence;
+  Iterations divergence_at_rest;  ///< for `gradual`, in water almost at rest (solvers/dfsph.h)
 
   /// The density that the pressures of a step should remove, beside dt Drho/Dt [kg/m^3], for a
   /// density and the sum of m grad W. If it is all of rho - rho0, as in the papers, the push that

@@ -74,11 +74,11 @@ void check_fluid_viscosity(const Scene& s, Findings& out) {
 }
 
 void check_iterations(const Scene& s, Findings& out) {
-  if (s.method().incompressible() && s.solver.min_iterations > s.solver.max_iterations)
+  if (s.method().incompressible() && s.solver.min_iterations.value_or(1) > s.solver.max_iterations)
     out.error("solver.min_iterations",
               fmt::format("solver.min_iterations is {}, above solver.max_iterations, {}; make it "
                           "smaller, or solver.max_iterations larger",
-                          s.solver.min_iterations, s.solver.max_iterations));
+                          *s.solver.min_iterations, s.solver.max_iterations));
 }
 
 /// An output interval is set in seconds or in steps, but not in both. It is at least one step.

@@ -36,7 +36,9 @@ void pressure_keys(KeyVisitor& v, Scene::Solver& s) {
             {.unit = "",
              .text = "minimum number of iterations of a solve; pressure solvers",
              .min = 1,
-             .max = 1e6});
+             .max = 1e6,
+             .fallback = "1; 4 for the divergence solve of `dfsph` in water almost at rest, where "
+                         "solver.density_correction is `gradual`"});
   v.integer("max_iterations", s.max_iterations,
             {.unit = "",
              .text = "maximum number of iterations of a solve; pressure solvers",
