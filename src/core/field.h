@@ -27,6 +27,22 @@ template <int D> struct Particles {
   Field<std::uint64_t> id;  ///< kept; never reused
   Field<Vec<D>> x, v;       ///< kept: position [m], velocity [m/s]
   bool moves = false;       ///< a source set that each search sorts again
+  /// Lists that serve several searches reach farther than the support by a skin [m], and follow
+  /// from these positions [m], a kept field. Without it each search lists anew.
+  Field<Vec<D>> x_listed;
+  Real skin = 0;
+
+  /// The particles where they were listed.
+  Particles as_listed() const {
+    Particles p = *this;
+    if (x_listed.data) p.x = x_listed;
+    return p;
+  }
+  /// Whether particle i is so far from where it was listed that a list may lack a neighbour: pairs
+  /// of particles that moved less than half a skin each are complete. True for a NaN.
+  FRESHET_HD bool left_its_lists(int i) const {
+    return !(norm2(x[i] - x_listed[i]) < square(Real(0.499f) * skin));
+  }
 };
 
 }  // namespace FRESHET_ISA

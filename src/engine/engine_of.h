@@ -169,6 +169,7 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
   std::vector<StateArray> state() override { return store_.state.arrays(); }
   void continue_from(std::int64_t steps) override {
     steps_ = steps;
+    store_.backend.edit("edit", fluid_, {}, 0);  // the lists are those of another state
     lists_are_stale_ = true;
   }
 
@@ -312,6 +313,7 @@ template <int D, EngineBackend<D> B> class EngineOf final : public Engine {
       component(fluid_.x[i], int(k)) = Real(double(frame.x[D * n + k]) - origin_[k]);
       component(fluid_.v[i], int(k)) = Real(frame.v[D * n + k]);
     }
+    if (fluid_.x_listed.data) fluid_.x_listed[i] = fluid_.x[i];
     if (fluid_.kind.data) fluid_.kind[i] = frame.liquid[n];
     fluid_.rho[i] = Real(frame.density[n]) * liquids_.lightness(fluid_, i);
     fluid_.p[i] = Real(frame.pressure[n]);

@@ -105,6 +105,7 @@ struct EnginePlan {
 
   // Particles
   double support = 0;       ///< support radius [m]
+  double skin = 0;          ///< by which lists that serve several steps reach farther [m]; or 0
   double h = 0;             ///< the paper's h: half the support, mueller2003: the support [m]
   double spacing = 0;       ///< [m]
   double mass = 0;          ///< of the densest liquid [kg/m^(3-D)]

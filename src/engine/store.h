@@ -54,6 +54,8 @@ template <int D, class B> class Store final : public FieldMaker<D> {
     allocate(fluid_, "fluid", "x", Keep::kept, fluid_.x);
     allocate(fluid_, "fluid", "v", Keep::kept, fluid_.v);
     if (p.liquids.size() > 1) make("kind", Keep::kept, fluid_.kind);
+    if (p.skin > 0) make("x_listed", Keep::kept, fluid_.x_listed);
+    fluid_.skin = Real(p.skin);
   }
   /// Writes the initial state of the fluid.
   void fill_fluid(const Sample& sample, Field<Real>* start_pressure) {
@@ -125,6 +127,7 @@ template <int D, class B> class Store final : public FieldMaker<D> {
   void fill_wall(const char* name, Wall& wall, const WallSample& sample, const EnginePlan& p,
                  std::size_t moving) {
     wall.moves = moving > 0;
+    wall.skin = Real(p.skin);
     backend.add_set(wall, int(sample.wall.size() + moving));
     allocate(wall, name, "id", Keep::kept, wall.id);
     allocate(wall, name, "x", Keep::kept, wall.x);

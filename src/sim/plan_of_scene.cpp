@@ -262,6 +262,16 @@ template <int D> void plan_all(const Scene& s, const Derived& d, EnginePlan& p) 
   plan_whitewater(s, d, p);
 }
 
+/// The skin of neighbour lists that serve several steps [m]: a tenth of the support. The solvers
+/// with an equation of state take many short steps. Pairs beyond the support add exactly zero to
+/// their sums, but other forces count neighbours, bodies are listed anew in each step, and a
+/// particle that crosses a periodic border has left its lists.
+double skin_of(const Scene& s, const EnginePlan& p) {
+  const bool short_steps = !p.incompressible && !s.method().has_own_kernels();
+  const bool periodic = p.periodic[0] || p.periodic[1] || p.periodic[2];
+  return short_steps && !p.bodies && !p.forces.any() && !periodic ? 0.1 * p.support : 0;
+}
+
 }  // namespace
 
 EnginePlan plan_of(const Scene& s, const Derived& d, Bodies* bodies, int threads) {
@@ -284,6 +294,7 @@ EnginePlan plan_of(const Scene& s, const Derived& d, Bodies* bodies, int threads
   p.lattice_sum = d.lattice_sum;
   if (p.dimension == 2) plan_all<2>(s, d, p);
   else plan_all<3>(s, d, p);
+  p.skin = skin_of(s, p);
   p.origin = origin_of(s);
   if (p.origin != Triple{}) move_to_origin(p);
   p.sample = sample(s);

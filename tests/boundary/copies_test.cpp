@@ -12,7 +12,12 @@ namespace {
 template <int D> struct Few {
   std::array<std::uint64_t, 64> id{};
   std::array<Vec<D>, 64> x{}, v{};
-  Particles<D> particles(int n) { return {n, 0, 0, {id.data()}, {x.data()}, {v.data()}}; }
+  Particles<D> particles(int n) {
+    Particles<D> p;
+    p.n = n;
+    p.id.data = id.data(), p.x.data = x.data(), p.v.data = v.data();
+    return p;
+  }
 };
 
 CopyRule<2> mirror(Vec<2> point, Vec<2> normal, int axis, bool no_slip = false) {

@@ -134,7 +134,7 @@ template <int D> class CpuBackend : public CpuSets<D> {
     using Neighbor = typename Term::template Neighbor<Pack>;
     constexpr int stride = Record<D, typename Term::template Neighbor<Real>>::stride;
     if (over.set.n == 0) return;
-    const auto slice = (*of(targets).lists[std::size_t(over.set.set)])[s];
+    const auto slice = of(targets).lists[std::size_t(over.set.set)]->sliced[s];
     if (slice.length == 0) return;
     const Term term = over.term;
     if constexpr (requires { term.wants(0); })

@@ -45,7 +45,8 @@ template <int D> class CpuSets {
   std::shared_ptr<const void> keep(const Particles<D>& p, const void* data);
 
   /// Sorts `moving` and every other set that moves; sorts sets at rest the first time. Then lists
-  /// the neighbours of each particle of `moving` in every set.
+  /// the neighbours of each particle of `moving` in every set. With a skin, sorts and lists only
+  /// when a particle has left its lists.
   template <class... Fixed>
   void find_neighbors(const char* name, Real support_radius, Particles<D>& moving,
                       const Fixed&... fixed) {
@@ -72,7 +73,12 @@ template <int D> class CpuSets {
     std::vector<Memory> memory;
     CpuCellGrid<D> grid, copy_grid;
     bool sorted = false;
-    std::vector<std::unique_ptr<SlicedLists<D>>> lists;  // by index of the source set
+    std::int64_t sorts = 0;  // so far
+    struct Lists {
+      SlicedLists<D> sliced;
+      std::int64_t target_sorts = 0, source_sorts = 0;  // that they follow from
+    };
+    std::vector<std::unique_ptr<Lists>> lists;  // by index of the source set
   };
   Set& of(const Particles<D>& p) { return *sets_[std::size_t(p.set)]; }
 
@@ -92,6 +98,7 @@ template <int D> class CpuSets {
   static std::size_t bytes_for(int room, const Set& set, const Memory& m);
   Buffer<std::byte> move(Memory& m, int n, std::size_t bytes);
   void clear(Memory& m, int begin, int end);
+  bool must_sort(const Particles<D>& p) const;
   void sort(Real h, const Particles<D>& p);
   void sort_if_needed(Real h, const Particles<D>& p);
   void copy(Real h, Particles<D>& p);

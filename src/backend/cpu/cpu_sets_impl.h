@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The definitions of cpu_sets.h. Included by the file that compiles them, and by tests.
 #pragma once
+#include <atomic>
 #include <cstring>
 #include <utility>
 
@@ -64,6 +65,7 @@ template <int D> void CpuSets<D>::clear(Memory& m, int begin, int end) {
 
 template <int D> void CpuSets<D>::copy_kept(const char* name, const Particles<D>& p, bool save) {
   const auto timer = timings_.time(name, p.n);
+  if (!save) of(p).sorted = false;
   for (Memory& m : of(p).memory) {
     if (m.field.keep != Keep::kept) continue;
     const std::size_t bytes = m.field.bytes;
@@ -94,25 +96,49 @@ void CpuSets<D>::edit(const char* name, Particles<D>& p, std::span<const int> go
   p.n = n;
   p.copies = 0;
   set.copies.forget();
+  set.sorted = false;
 }
 
 template <int D>
 void CpuSets<D>::search(const char* name, Real support_radius, Particles<D>& moving,
                         std::initializer_list<const Particles<D>*> fixed) {
   const auto timer = timings_.time(name, moving.n);
-  sort(support_radius, moving);
-  copy(support_radius, moving);
-  for (const Particles<D>* set : fixed) sort_if_needed(support_radius, *set);
-  list(support_radius, moving, moving);
-  for (const Particles<D>* set : fixed) list(support_radius, moving, *set);
+  const Real reach = support_radius + moving.skin;
+  if (must_sort(moving)) {
+    Particles<D> listed = moving.as_listed();
+    sort(reach, listed);
+    copy(reach, listed);
+    moving.copies = listed.copies;
+  }
+  if (moving.x_listed.data) of(moving).copies.place(moving);
+  for (const Particles<D>* set : fixed) sort_if_needed(reach, *set);
+  list(reach, moving, moving);
+  for (const Particles<D>* set : fixed) list(reach, moving, *set);
+}
+
+/// Where a particle has left its lists, all are listed at their present positions.
+template <int D> bool CpuSets<D>::must_sort(const Particles<D>& p) const {
+  if (!p.x_listed.data) return true;
+  std::atomic<bool> left = false;
+  threads_.blocks(p.n, [&](int b, int e) {
+    bool any = false;
+    for (int i = b; i < e; ++i) any |= p.left_its_lists(i);
+    if (any) left = true;
+  });
+  if (left)
+    threads_.blocks(p.n, [&](int b, int e) {
+      for (int i = b; i < e; ++i) p.x_listed[i] = p.x[i];
+    });
+  return left || !sets_[std::size_t(p.set)]->sorted;
 }
 
 template <int D>
 void CpuSets<D>::list_neighbors(const char* name, Real support_radius, const Particles<D>& targets,
                                 const Particles<D>& sources) {
   const auto timer = timings_.time(name, targets.n);
-  sort_if_needed(support_radius, targets);
-  list(support_radius, targets, sources);
+  const Real reach = support_radius + sources.skin;
+  sort_if_needed(reach, targets);
+  list(reach, targets, sources);
 }
 
 template <int D>
@@ -160,6 +186,7 @@ template <int D> void CpuSets<D>::sort(Real h, const Particles<D>& p) {
     }
   }
   set.sorted = true;
+  ++set.sorts;
 }
 template <int D> void CpuSets<D>::sort_if_needed(Real h, const Particles<D>& p) {
   if (p.moves || !of(p).sorted) sort(h, p);
@@ -171,7 +198,10 @@ template <int D> void CpuSets<D>::copy(Real h, Particles<D>& p) {
   if (set.copies.none()) return;
   set.copies.make(p, h);
   set.copies.place(p);
-  const Particles<D> all{set.copies.size(), 0, p.set, {p.id.data + p.n}, {p.x.data + p.n}, {}};
+  Particles<D> all;
+  all.n = set.copies.size();
+  all.id.data = p.id.data + p.n;
+  all.x.data = p.x.data + p.n;
   set.copy_grid.build(threads_, h, all);
   set.copies.permute(set.copy_grid.order());
   set.copies.place(p);
@@ -198,11 +228,15 @@ void CpuSets<D>::list(Real h, const Particles<D>& targets, const Particles<D>& s
   auto& lists = of(targets).lists;
   if (lists.size() < sets_.size()) lists.resize(sets_.size());
   auto& one = lists[std::size_t(sources.set)];
-  if (!one) one = std::make_unique<SlicedLists<D>>();
+  if (!one) one = std::make_unique<typename Set::Lists>();
   const Set& set = of(sources);
+  const std::int64_t target_sorts = of(targets).sorts;
+  if (one->target_sorts == target_sorts && one->source_sorts == set.sorts) return;
+  one->target_sorts = target_sorts;
+  one->source_sorts = set.sorts;
   const Source<D> all[] = {{&set.grid, 0}, {&set.copy_grid, sources.n}};
-  one->build(threads_, h, of(targets).grid,
-             std::span(all, sources.copies > 0 ? std::size_t(2) : std::size_t(1)));
+  one->sliced.build(threads_, h, of(targets).grid,
+                    std::span(all, sources.copies > 0 ? std::size_t(2) : std::size_t(1)));
 }
 
 }  // namespace FRESHET_ISA

@@ -80,6 +80,7 @@ template <int D> class ReferenceSets {
   std::unique_ptr<std::byte[]> move(Memory& m, int n, int room);
   void search(const char* name, Real support_radius, Particles<D>& moving,
               std::initializer_list<const Particles<D>*> fixed);
+  static void follow(const Particles<D>& p);
   void remember_positions(const Particles<D>& p);
   void list(Real h, const Particles<D>& targets, const Particles<D>& sources);
 

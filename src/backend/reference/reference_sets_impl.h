@@ -93,14 +93,25 @@ template <int D>
 void ReferenceSets<D>::search(const char* name, Real support_radius, Particles<D>& moving,
                               std::initializer_list<const Particles<D>*> fixed) {
   const auto timer = timings_.time(name, moving.n);
+  const Real reach = support_radius + moving.skin;
+  if (moving.x_listed.data) follow(moving);
+  Particles<D> listed = moving.as_listed();
   Copies<D>& copies = copies_[std::size_t(moving.set)];
-  copies.make(moving, support_radius);
-  copies.place(moving);
-  remember_positions(moving);
+  copies.make(listed, reach);
+  copies.place(listed);
+  remember_positions(listed);
   for (const Particles<D>* set : fixed)
     if (set->moves) remember_positions(*set);
-  list(support_radius, moving, moving);
-  for (const Particles<D>* set : fixed) list(support_radius, moving, *set);
+  list(reach, listed, listed);
+  for (const Particles<D>* set : fixed) list(reach, listed, *set);
+  copies.place(moving);
+}
+
+/// Where a particle has left its lists, all are listed at their present positions.
+template <int D> void ReferenceSets<D>::follow(const Particles<D>& p) {
+  bool left = false;
+  for (int i = 0; i < p.n; ++i) left |= p.left_its_lists(i);
+  if (left) std::copy_n(p.x.data, p.n, p.x_listed.data);
 }
 
 template <int D>
@@ -113,7 +124,7 @@ void ReferenceSets<D>::list_neighbors(const char* name, Real support_radius,
   Particles<D> target_positions = targets, source_positions = sources;
   target_positions.x.data = searched_[std::size_t(targets.set)].data();
   source_positions.x.data = searched_.at(std::size_t(sources.set)).data();
-  list(support_radius, target_positions, source_positions);
+  list(support_radius + sources.skin, target_positions, source_positions);
 }
 
 template <int D> void ReferenceSets<D>::remember_positions(const Particles<D>& p) {
