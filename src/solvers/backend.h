@@ -30,8 +30,8 @@ template <class B, int D>
 concept Backend = requires(B b, Particles<D> p, Particles<D> wall, Real h, AnyTerm term,
                            AnyFinish finish, AnyVisit visit, AnyMap map) {
   /// Finds, for every particle i of p, the particles j and copies of each set with |x_ij| < h [m],
-  /// including i itself. It creates the copies of p again. It may sort p and other sets that move;
-  /// the first call may sort all sets.
+  /// including i itself; with p.skin some farther ones too, for which terms are zero. It may create
+  /// the copies of p again, and sort p and sets that move; the first call may sort all sets.
   b.find_neighbors("", h, p, wall);
   /// Finds the neighbours of other targets in a set p that find_neighbors has searched. It uses the
   /// positions of p at that search.
