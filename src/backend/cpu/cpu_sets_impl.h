@@ -232,11 +232,11 @@ void CpuSets<D>::list(Real h, const Particles<D>& targets, const Particles<D>& s
   const Set& set = of(sources);
   const std::int64_t target_sorts = of(targets).sorts;
   if (one->target_sorts == target_sorts && one->source_sorts == set.sorts) return;
-  one->target_sorts = target_sorts;
-  one->source_sorts = set.sorts;
   const Source<D> all[] = {{&set.grid, 0}, {&set.copy_grid, sources.n}};
   one->sliced.build(threads_, h, of(targets).grid,
                     std::span(all, sources.copies > 0 ? std::size_t(2) : std::size_t(1)));
+  one->target_sorts = target_sorts;  // after the build: it may run out of memory
+  one->source_sorts = set.sorts;
 }
 
 }  // namespace FRESHET_ISA
